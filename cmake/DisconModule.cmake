@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# Helpers that keep the CMakeLists files a table of contents.
+
+# add_discon_module(<name> SOURCES...): the library lib<lac_name>.so that a host loads.
+# It carries its own copy of the shared core and of the C++ runtime and exports DISCON alone;
+# -fno-gnu-unique lets the loader really drop it at dlclose. The equations are a static library
+# lac_<name>_core beside it, so that tests reach them without the C boundary.
+function(add_discon_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;ENTRY" ${ARGN})
+  add_library(lac_${name}_core STATIC ${ARG_SOURCES})
+  target_link_libraries(lac_${name}_core PUBLIC lac_core)
+  add_library(lac_${name} MODULE ${ARG_ENTRY} ${CMAKE_SOURCE_DIR}/core/discon_export.cpp)
+  target_link_libraries(lac_${name} PRIVATE lac_${name}_core)
+  set_target_properties(lac_${name} PROPERTIES
+    PREFIX "lib"
+    LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
+  target_link_options(lac_${name} PRIVATE
+    -Wl,-z,defs -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map)
+  if(LAC_SANITIZE)
+    target_link_options(lac_${name} PRIVATE -Wl,-z,undefs)  # the runtime is in the host program
+  else()
+    target_link_options(lac_${name} PRIVATE -static-libstdc++ -static-libgcc)
+  endif()
+  install(TARGETS lac_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# lac_test(<area>/<file> LIBS...): tests/<area>/<file>_test.cpp as one CTest entry per file.
+function(lac_test path)
+  string(REPLACE "/" "_" name ${path})
+  add_executable(${name}_test ${CMAKE_SOURCE_DIR}/tests/${path}_test.cpp)
+  target_link_libraries(${name}_test PRIVATE ${ARGN} lac_test_support GTest::gmock GTest::gtest_main)
+  set_target_properties(${name}_test PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  add_test(NAME ${path} COMMAND ${name}_test)
+endfunction()
