@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Discrete filters as values: the coefficients are arguments, the state is a struct that a
+// module keeps in its own state. Bilinear transform with prewarping, so that the response is
+// exact at the frequency that names the filter.
+#pragma once
+
+#include <cmath>
+
+#include "core/state_archive.hpp"
+#include "core/units.hpp"
+
+namespace lac {
+
+/// First-order low-pass G(s) = w_c/(s + w_c), gain 1/sqrt(2) at the cut-off.
+/// y += factor (u + u_previous - 2 y): the state is the output itself, so that a changing cut-off
+/// never makes a jump. Starts at the first input.
+class LowPass1 {
+ public:
+  /// Factor for one step; cut-off below the Nyquist frequency. Recompute when it changes.
+  static double factor(double cutoff_hz, double time_step_s) {
+    const double t = std::tan(kPi * cutoff_hz * time_step_s);
+    return t / (1.0 + t);
+  }
+
+  void reset(double value) {
+    output_ = value;
+    input_ = value;
+    started_ = true;
+  }
+  double step(double input, double factor) {
+    if (!started_) reset(input);
+    output_ += factor * (input + input_ - 2.0 * output_);
+    input_ = input;
+    return output_;
+  }
+  double output() const { return output_; }
+  bool started() const { return started_; }
+  void visit(StateArchive& a) { a(output_), a(input_), a(started_); }
+
+ private:
+  double output_ = 0.0;
+  double input_ = 0.0;
+  bool started_ = false;
+};
+
+/// Notch H(s) = (s^2 + D b s + w_n^2)/(s^2 + b s + w_n^2), b = 2 pi bandwidth: gain D at the
+/// centre (0 <= D < 1), 1 far away (methods section 12). State: trapezoidal integrators of the
+/// band-pass part, which stay meaningful when the centre frequency moves. Starts settled.
+class Notch {
+ public:
+  struct Coefficients {
+    double g = 0.0;      // tan(w_n T/2), prewarped
+    double width = 0.0;  // bandwidth over centre frequency
+    double depth = 0.0;  // D
+    double scale = 1.0;  // 1/(1 + g (width + g))
+    void visit(StateArchive& a) { a(g), a(width), a(depth), a(scale); }
+  };
+  static Coefficients coefficients(double centre_hz, double bandwidth_hz, double depth,
+                                   double time_step_s) {
+    const double g = std::tan(kPi * centre_hz * time_step_s);
+    const double width = bandwidth_hz / centre_hz;
+    return {g, width, depth, 1.0 / (1.0 + g * (width + g))};
+  }
+
+  /// One step of the trapezoidal state-variable filter.
+  double step(double input, const Coefficients& c) {
+    if (!started_) {
+      low_state_ = input;
+      started_ = true;
+    }
+    const double high = (input - (c.width + c.g) * band_state_ - low_state_) * c.scale;
+    const double band = c.g * high + band_state_;
+    const double low = c.g * band + low_state_;
+    band_state_ = c.g * high + band;
+    low_state_ = c.g * band + low;
+    return input - (1.0 - c.depth) * c.width * band;
+  }
+  void visit(StateArchive& a) { a(band_state_), a(low_state_), a(started_); }
+
+ private:
+  double band_state_ = 0.0;
+  double low_state_ = 0.0;
+  bool started_ = false;
+};
+
+/// Exact mean until `window_s` has passed, exponential forgetting with that time constant then:
+/// a slow mean that needs no memory and has no start-up transient.
+class SlowMean {
+ public:
+  void add(double value, double weight_s, double window_s) {
+    elapsed_s_ = elapsed_s_ + weight_s < window_s ? elapsed_s_ + weight_s : window_s;
+    mean_ += (value - mean_) * (weight_s < elapsed_s_ ? weight_s / elapsed_s_ : 1.0);
+  }
+  bool started() const { return elapsed_s_ > 0.0; }
+  double elapsed_s() const { return elapsed_s_; }
+  double mean() const { return mean_; }
+  void visit(StateArchive& a) { a(mean_), a(elapsed_s_); }
+
+ private:
+  double mean_ = 0.0;
+  double elapsed_s_ = 0.0;
+};
+
+}  // namespace lac

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/lidar_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "support/lidar_scan.hpp"
+
+namespace lac {
+namespace {
+
+struct Bench {
+  explicit Bench(LidarReaderParams p = {}) : reader(std::move(p)), state(reader.initial_state()) {}
+
+  bool read(double time_s) {
+    notice.clear();
+    return reader.read(swap(), time_s, state, m, notice);
+  }
+  bool send(double time_s, int beam, double shift_mps = 0.0) {
+    LidarMeasurement sent = scan.measure(time_s, beam);
+    for (auto& gate : sent.gates) gate.speed_mps += shift_mps;
+    write_native_lidar(swap(), sent, true);
+    return read(time_s);
+  }
+  SwapView swap() { return {array.data(), kExtendedArraySize}; }
+
+  std::vector<float> array = std::vector<float>(kExtendedArraySize, 0.0f);
+  LidarReader reader;
+  LidarReader::State state;
+  test::LidarScan scan;
+  LidarMeasurement m;
+  Notice notice;
+};
+
+// A measurement is taken once: not again while its flag stays up with the same time.
+TEST(LidarReader, TakesAMeasurementOnce) {
+  Bench b;
+  EXPECT_TRUE(b.send(1.0, 0));
+  EXPECT_FALSE(b.read(1.0125));
+  EXPECT_TRUE(b.send(1.25, 1));
+  write_native_lidar(b.swap(), {}, false);
+  EXPECT_FALSE(b.read(1.2625));
+}
+
+// Every error value of the field, NaN, infinity and the implausible are invalid; the rest stays.
+TEST(LidarReader, JudgesSamples) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {-99.0, -98.2, 999.0, std::nan(""), inf, -inf, -6.0, 61.0, 1e30}) {
+    Bench b;
+    LidarMeasurement sent = b.scan.measure(1.0, 0);
+    sent.gates[1].speed_mps = bad;
+    write_native_lidar(b.swap(), sent, true);
+    ASSERT_TRUE(b.read(1.0));
+    EXPECT_TRUE(b.m.gates[0].valid);
+    EXPECT_FALSE(b.m.gates[1].valid) << bad;
+    EXPECT_TRUE(b.m.gates[2].valid);
+  }
+}
+
+// Geometry that is no number, or a beam across the wind, makes the whole beam invalid.
+TEST(LidarReader, JudgesGeometry) {
+  Bench b;
+  LidarMeasurement sent = b.scan.measure(1.0, 0);
+  sent.beam_dir_L = {0.0, 1.0, 0.0};
+  write_native_lidar(b.swap(), sent, true);
+  ASSERT_TRUE(b.read(1.0));
+  EXPECT_FALSE(b.m.gates[0].valid);
+  sent = b.scan.measure(1.25, 0);
+  sent.yaw_rad = std::nan("");
+  write_native_lidar(b.swap(), sent, true);
+  ASSERT_TRUE(b.read(1.25));
+  EXPECT_FALSE(b.m.gates[0].valid);
+}
+
+// A beam that repeats itself to the last bit while the wind moves is stuck; told once, and again
+// when it is fresh. The same repetition in steady wind is no fault.
+TEST(LidarReader, StuckBeam) {
+  Bench b;
+  b.swap().set(Rec::HubWindSpeed, 16.0);
+  int warnings = 0;
+  for (int i = 0; i < 40; ++i) {
+    b.send(i * 0.25, i % 4);
+    EXPECT_TRUE(b.m.gates[0].valid);
+    warnings += b.notice.level();
+  }
+  EXPECT_EQ(warnings, 0);
+  b.swap().set(Rec::HubWindSpeed, 17.0);
+  for (int i = 40; i < 80; ++i) {
+    b.send(i * 0.25, i % 4);
+    EXPECT_FALSE(b.m.gates[0].valid);
+    warnings += b.notice.level();
+  }
+  EXPECT_EQ(warnings, 4);
+  b.send(20.0, 0, 0.5);
+  EXPECT_TRUE(b.m.gates[0].valid);
+  EXPECT_THAT(std::string(b.notice.text()), testing::HasSubstr("beam 0 gives fresh values again"));
+}
+
+// A beam id the input file does not know is told once and not used.
+TEST(LidarReader, UnknownBeam) {
+  Bench b;
+  EXPECT_FALSE(b.send(1.0, 7));
+  EXPECT_THAT(std::string(b.notice.text()), testing::HasSubstr("beam id 7, expected 0 to 3"));
+  EXPECT_FALSE(b.send(1.25, 7));
+  EXPECT_EQ(b.notice.level(), 0);
+}
+
+// Guo's layout gets range, direction and position from the input file, and its time from the call.
+TEST(LidarReader, GuoLayout) {
+  InputFile in = InputFile::parse(
+      "guo ! LidarLayout\n2 ! NumberOfBeams\n15 -15 ! BeamAzimuth\n0 0 ! BeamElevation\n"
+      "120 ! GateRanges\n-1 0 92 ! LidarPosition\n",
+      "ldp.IN");
+  Bench b(LidarReaderParams::read(in));
+  b.swap().set(Rec::LogStart, 165);
+  const float block[] = {1, 1, 1, 14.5f, 0, 0, 3.14159265f, 0, 0, 0};
+  std::copy(std::begin(block), std::end(block), b.array.begin() + 164);
+  ASSERT_TRUE(b.read(3.5));
+  EXPECT_EQ(b.m.time_s, 3.5);
+  EXPECT_EQ(b.m.gates[0].range_m, 120.0);
+  EXPECT_NEAR(b.m.beam_dir_L.y, -std::sin(rad_from_deg(15.0)), 1e-12);
+  EXPECT_EQ(b.m.position_I_m.x, -1.0);
+  EXPECT_TRUE(b.m.gates[0].valid);
+  b.array[164] = 0.0f;
+  EXPECT_FALSE(b.read(3.5125));
+}
+
+// Too small an array for the native block is refused at start with both sizes.
+TEST(LidarReader, TooSmallAnArray) {
+  std::vector<float> array(164, 0.0f);
+  const LidarReader reader{LidarReaderParams{}};
+  try {
+    reader.require(SwapView(array.data(), 164));
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("the host's array has 164 known records"));
+  }
+}
+
+}  // namespace
+}  // namespace lac
