@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ldp/ldp.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lac {
+namespace {
+
+constexpr double kSlowestTravel_mps = 1.0;  // below it a lead time means nothing
+// A gate nearer than those in use is taken only with this much more than the required lead, so
+// that the nearest gate does not change to and fro with the mean wind speed.
+constexpr double kLeadMargin = 1.15;
+constexpr double kSameGate_m = 2.0;  // the tower top moves
+
+std::int64_t round_to_step(double time_s, double time_step_s) {
+  return std::llround(time_s / time_step_s);
+}
+
+/// Up-wind distance of a gate from the rotor plane (x = 0 in frame I).
+double distance_m(const LidarMeasurement& m, const Vec3& n_I, const LidarGate& gate) {
+  return -(m.position_I_m.x + gate.range_m * n_I.x);
+}
+
+}  // namespace
+
+Ldp::Ldp(LdpParams params, double time_step_s)
+    : params_(std::move(params)),
+      time_step_s_(time_step_s),
+      window_steps_(std::max<std::int64_t>(1, round_to_step(params_.scan_time_s, time_step_s))) {}
+
+Ldp::State Ldp::initial_state() const {
+  State s;
+  s.bins = ArrivalBins(static_cast<std::size_t>(std::ceil(params_.longest_lead_s / time_step_s_)) +
+                       static_cast<std::size_t>(window_steps_) + 2);
+  return s;
+}
+
+Vec3 Ldp::beam_dir_I(const LidarMeasurement& m) const noexcept {
+  return params_.motion_compensation ? m.beam_dir_I()
+                                     : Vec3{-m.beam_dir_L.x, -m.beam_dir_L.y, m.beam_dir_L.z};
+}
+
+double Ldp::longitudinal_speed(const LidarMeasurement& m, double los_mps) const noexcept {
+  const Vec3 n_I = beam_dir_I(m);
+  const double own_mps = params_.motion_compensation ? dot(n_I, m.velocity_I_mps) : 0.0;
+  return (los_mps - own_mps) / -n_I.x;
+}
+
+void Ldp::update_mean_speed(const LidarMeasurement& m, State& state) const noexcept {
+  double sum = 0.0;
+  int count = 0;
+  for (int g = 0; g < m.gate_count; ++g) {
+    const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
+    if (!gate.valid) continue;
+    sum += longitudinal_speed(m, gate.speed_mps);
+    ++count;
+  }
+  if (count == 0) return;
+  const double since_s =
+      state.mean_speed.started()
+          ? std::clamp(m.time_s - state.last_measurement_s, time_step_s_, params_.scan_time_s)
+          : time_step_s_;
+  state.mean_speed.add(sum / count, since_s, params_.mean_speed_window_s);
+  state.last_measurement_s = m.time_s;
+}
+
+void Ldp::take_in(const Inputs& in, State& state) const noexcept {
+  const LidarMeasurement& m = *in.measurement;
+  update_mean_speed(m, state);
+  if (!state.mean_speed.started()) return;
+  const double travel_mps = state.mean_speed.mean();
+  if (travel_mps < kSlowestTravel_mps) return;
+
+  const Vec3 n_I = beam_dir_I(m);
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (int g = 0; g < m.gate_count; ++g) {
+    const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
+    const double ahead_m = distance_m(m, n_I, gate);
+    const double required_m = params_.required_lead_s * travel_mps;
+    const bool in_use = state.nearest_gate_m <= 0.0 || ahead_m > state.nearest_gate_m - kSameGate_m;
+    if (!(ahead_m > 0.0) || ahead_m < (in_use ? required_m : kLeadMargin * required_m)) continue;
+    nearest_m = std::min(nearest_m, ahead_m);
+    if (!gate.valid) continue;
+    const auto arrival = round_to_step(m.time_s + ahead_m / travel_mps, time_step_s_);
+    if (state.bins.add(arrival, longitudinal_speed(m, gate.speed_mps))) {
+      state.last_sample_s = in.time_s;
+    }
+  }
+  if (std::isfinite(nearest_m)) state.nearest_gate_m = nearest_m;
+}
+
+Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
+  const std::int64_t now = round_to_step(in.time_s, time_step_s_);
+  state.bins.advance(now);
+  if (in.measurement != nullptr) take_in(in, state);
+
+  Outputs out;
+  out.data_age_s = in.time_s - state.last_sample_s;
+  if (!state.mean_speed.started()) return out;
+  out.mean_speed_mps = state.mean_speed.mean();
+  if (state.nearest_gate_m <= 0.0 || out.mean_speed_mps < kSlowestTravel_mps) return out;
+  out.lead_s = state.nearest_gate_m / out.mean_speed_mps;
+  if (out.lead_s > params_.longest_lead_s) return out;
+
+  const std::int64_t front = now + round_to_step(out.lead_s, time_step_s_);
+  state.bins.set_window(front - window_steps_ + 1, front);
+  out.samples = state.bins.count();
+  if (out.samples > 0) out.rews_mps = state.bins.mean_mps();
+  out.valid = out.samples >= params_.minimum_samples && out.data_age_s <= params_.maximum_age_s &&
+              state.mean_speed.elapsed_s() >=
+                  std::min(params_.settling_time_s, params_.mean_speed_window_s);
+  return out;
+}
+
+}  // namespace lac

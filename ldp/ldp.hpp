@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "core/filters.hpp"
+#include "ldp/arrival_bins.hpp"
+#include "ldp/ldp_params.hpp"
+
+namespace lac {
+
+/// Lidar data processing: line-of-sight speeds -> rotor-effective wind speed and its preview.
+///
+/// Each valid sample gives a longitudinal wind speed (methods sections 0, 8)
+///   u = (v_los - n . V_lidar) / (-n_x),          n: beam from the lidar, frame I
+/// that arrives at the rotor at  t_meas + d/U,    d: distance of the gate up-wind of the rotor,
+/// U: slow mean of u. The estimate is the mean of all samples, of all gates, that arrive within
+/// one scan time before  t + T_lead, where T_lead is the lead of the nearest gate in use: fresh
+/// samples of that gate are averaged with older ones of farther gates that saw the same wind
+/// (GUO eq. 28 with aligned gates; methods section 7). Mean delay against t + T_lead: half a scan.
+class Ldp {
+ public:
+  struct Inputs {
+    const LidarMeasurement* measurement = nullptr;  // nullptr: nothing new in this step
+    double time_s = 0.0;                            // a whole number of time steps
+  };
+  struct Outputs {
+    double rews_mps = std::numeric_limits<double>::quiet_NaN();
+    double lead_s = 0.0;  // T_lead
+    int samples = 0;
+    bool valid = false;
+    double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();  // U
+    double data_age_s = 0.0;  // since the last valid sample
+  };
+  struct State {
+    ArrivalBins bins;
+    SlowMean mean_speed;
+    double nearest_gate_m = 0.0;  // distance of the nearest gate in use
+    double last_sample_s = -1.0e30;
+    double last_measurement_s = 0.0;
+    void visit(StateArchive& a) {
+      a(bins), a(mean_speed), a(nearest_gate_m), a(last_sample_s), a(last_measurement_s);
+    }
+  };
+
+  Ldp(LdpParams params, double time_step_s);
+  State initial_state() const;
+  Outputs step(const Inputs& in, State& state) const noexcept;
+
+  /// Longitudinal wind speed [m/s] of a line-of-sight speed.
+  double longitudinal_speed(const LidarMeasurement& m, double los_mps) const noexcept;
+
+ private:
+  void take_in(const Inputs& in, State& state) const noexcept;
+  void update_mean_speed(const LidarMeasurement& m, State& state) const noexcept;
+  Vec3 beam_dir_I(const LidarMeasurement& m) const noexcept;
+
+  LdpParams params_;
+  double time_step_s_;
+  std::int64_t window_steps_;
+};
+
+}  // namespace lac

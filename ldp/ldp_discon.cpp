@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records <-> Ldp. Reads the host's lidar block, writes the Lidar* records of the chain block.
+#include "core/chain_block.hpp"
+#include "core/discon_module.hpp"
+#include "ldp/ldp.hpp"
+
+namespace lac {
+namespace {
+
+class LdpModule final : public DisconModule {
+ public:
+  LdpModule(const LdpParams& params, double time_step_s)
+      : scan_time_s_(params.scan_time_s),
+        reader_(params.reader),
+        ldp_(params, time_step_s),
+        state_(ldp_.initial_state()),
+        reader_state_(reader_.initial_state()) {}
+
+  const LidarReader& reader() const { return reader_; }
+
+  void step(SwapView swap, double time_s, Notice& notice) noexcept override {
+    Ldp::Inputs in;
+    in.time_s = time_s;
+    if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
+      in.measurement = &measurement_;
+    }
+    const Ldp::Outputs out = ldp_.step(in, state_);
+    report(out, notice);
+    write(out, swap);
+  }
+
+  void visit_state(StateArchive& a) override { a(state_), a(reader_state_), a(was_valid_); }
+
+ private:
+  void report(const Ldp::Outputs& out, Notice& notice) noexcept {
+    if (was_valid_ && !out.valid) {
+      notice.warn(
+          "no valid lidar wind speed: %d samples in the scan window, the last one %.1f s ago",
+          out.samples, out.data_age_s);
+    }
+    was_valid_ = out.valid;
+  }
+
+  void write(const Ldp::Outputs& out, SwapView& swap) const noexcept {
+    swap.set(Rec::LidarRews, out.rews_mps);
+    swap.set(Rec::LidarRewsLead, out.lead_s);
+    swap.set(Rec::LidarRewsSamples, out.samples);
+    swap.set(Rec::LidarRewsValid, out.valid ? 1.0 : 0.0);
+    swap.set(Rec::LidarMeanSpeed, out.mean_speed_mps);
+    swap.set(Rec::LidarScanWindow, scan_time_s_);
+    swap.set(Rec::LidarDataAge, out.data_age_s);
+  }
+
+  double scan_time_s_;
+  LidarReader reader_;
+  Ldp ldp_;
+  Ldp::State state_;
+  LidarReader::State reader_state_;
+  LidarMeasurement measurement_;
+  bool was_valid_ = false;
+};
+
+}  // namespace
+
+const char* module_name() {
+  return "ldp";
+}
+
+std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
+  InputFile in = InputFile::load(start.input_file);
+  auto module = std::make_unique<LdpModule>(LdpParams::read(in), start.time_step_s);
+  require_chain_block(swap);
+  module->reader().require(swap);
+  return module;
+}
+
+}  // namespace lac

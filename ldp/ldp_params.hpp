@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/input_file.hpp"
+#include "core/lidar_reader.hpp"
+
+namespace lac {
+
+struct LdpParams {
+  LidarReaderParams reader;
+
+  // One full scan. Averaging over it gives every beam the same weight, at the price of half of it
+  // as delay (which FFP takes into account).
+  double scan_time_s = 1.0;
+  // Gates whose wind arrives sooner than this are of no use to the filter and buffer behind and
+  // only shorten the lead of all others; they are left out. 0: all gates ahead of the rotor.
+  double required_lead_s = 0.0;
+  // Speed of travel and so lead times mean little before this much was averaged: not valid yet.
+  double settling_time_s = 10.0;
+  // Memory: wind that arrives later than this is not stored (slow wind; LDP then reports no data).
+  double longest_lead_s = 60.0;
+  // Mean that sets the speed of travel: exact mean until then, exponential forgetting after (HM
+  // eq. 25 uses ten minutes).
+  double mean_speed_window_s = 600.0;
+  // Fewer samples in the scan window than this are no estimate.
+  int minimum_samples = 4;
+  // Without a valid sample for this long the estimate is invalid, whatever is still in store.
+  double maximum_age_s = 2.0;
+  // Take attitude and velocity of the lidar into account. False: level, straight up-wind, at rest.
+  bool motion_compensation = true;
+
+  /// Reads all keys and refuses unknown ones. Throws lac::Error.
+  static LdpParams read(InputFile& in);
+};
+
+}  // namespace lac
