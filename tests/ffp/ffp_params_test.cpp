@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ffp/ffp_params.hpp"
+
+#include <gmock/gmock.h>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace lac {
+namespace {
+
+constexpr const char* kGood =
+    "12 16 ! CutOffWindSpeed\n0.03 0.04 ! CutOffFrequency\n"
+    "10 12 14 ! StaticWind\n0 3 6 ! StaticPitch\n";
+
+std::string error_of(const std::string& text) {
+  InputFile in = InputFile::parse(text, "ffp.IN");
+  try {
+    FfpParams::read(in);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+// Degrees in the file, radians inside; the rest keeps its default.
+TEST(FfpParams, ReadsDegrees) {
+  InputFile in = InputFile::parse(kGood, "ffp.IN");
+  const FfpParams p = FfpParams::read(in);
+  EXPECT_NEAR(p.static_pitch_rad.at(14.0), rad_from_deg(6.0), 1e-15);
+  EXPECT_EQ(p.threshold_mps, 14.0);
+}
+
+// Each mistake is named with file, line, key, what was found and expected.
+TEST(FfpParams, Mistakes) {
+  const std::string good = kGood;
+  EXPECT_THAT(error_of(good + "3 ! FadeTim\n"),
+              testing::AllOf(testing::HasSubstr("ffp.IN:5: FadeTim: unknown key"),
+                             testing::HasSubstr("did you mean 'FadeTime'")));
+  EXPECT_THAT(error_of("12 16 ! CutOffWindSpeed\n0.03 ! CutOffFrequency\n"),
+              testing::HasSubstr("ffp.IN:2: CutOffFrequency: found 1 values, expected 2"));
+  EXPECT_THAT(error_of("16 12 ! CutOffWindSpeed\n0.03 0.04 ! CutOffFrequency\n"),
+              testing::HasSubstr("is not above the one before it"));
+  EXPECT_THAT(error_of("12 16 ! CutOffWindSpeed\n0.03 0.04 ! CutOffFrequency\n"
+                       "10 12 ! StaticWind\n3 2 ! StaticPitch\n"),
+              testing::HasSubstr("ffp.IN:4: StaticPitch: value 2 (2.0"));
+  EXPECT_THAT(error_of("12 16 ! CutOffWindSpeed\n0.03 zero ! CutOffFrequency\n"),
+              testing::HasSubstr("found 'zero', expected a number above 0"));
+}
+
+}  // namespace
+}  // namespace lac
