@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ti_estimator/correction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace lac {
+namespace {
+
+struct GaussPoint {
+  double x;  // in -1 ... 1; both signs
+  double weight;
+};
+constexpr std::array<GaussPoint, 4> kGauss8{{{0.1834346424956498, 0.3626837833783620},
+                                             {0.5255324099163290, 0.3137066458778873},
+                                             {0.7966664774136267, 0.2223810344533745},
+                                             {0.9602898564975363, 0.1012285362903763}}};
+constexpr int kWindowPeriods = 16;   // 1 - sinc^2 is followed that far, its mean taken beyond
+constexpr double kPanelRatio = 1.8;  // of the frequencies at the ends of a panel
+
+double window_response(double periods, bool followed) {
+  const double x = kPi * periods;
+  if (!followed) return 1.0 - 0.5 / (x * x);
+  const double sinc = std::sin(x) / x;
+  return 1.0 - sinc * sinc;
+}
+
+/// Position of the interval that holds x, and how far into it x lies.
+std::pair<std::size_t, double> interval(const std::vector<double>& axis, double x) noexcept {
+  std::size_t i = 0;
+  while (i + 2 < axis.size() && x >= axis[i + 1]) ++i;
+  if (axis.size() == 1) return {0, 0.0};
+  return {i, (x - axis[i]) / (axis[i + 1] - axis[i])};
+}
+
+}  // namespace
+
+Vec3 beam_in_wind(const Vec3& beam_L, double yaw_error_rad) {
+  const double c = std::cos(yaw_error_rad), s = std::sin(yaw_error_rad);
+  return {c * beam_L.x + s * beam_L.y, -s * beam_L.x + c * beam_L.y, beam_L.z};
+}
+
+Correction::Correction(const CorrectionParams& params)
+    : params_(params),
+      volume_std_m_(params.pulse_width_m / std::sqrt(8.0 * std::log(2.0))),
+      lidar_nodes_(nodes(params.scan_rate_hz)),
+      point_nodes_(nodes(params.max_frequency_hz)) {}
+
+std::vector<Correction::Node> Correction::nodes(double upper_hz) const {
+  const bool response = params_.low_frequencies == LowFrequencies::Response;
+  const double lowest_hz = 1.0 / params_.averaging_time_s;
+  const double followed_hz = response ? kWindowPeriods * lowest_hz : 0.0;
+  std::vector<Node> result;
+  double from_hz = response ? 0.0 : lowest_hz;
+  while (from_hz < upper_hz) {
+    const bool followed = from_hz < followed_hz - 0.5 * lowest_hz;
+    const double to_hz = std::min(followed ? from_hz + lowest_hz : from_hz * kPanelRatio, upper_hz);
+    const double middle = 0.5 * (from_hz + to_hz), half = 0.5 * (to_hz - from_hz);
+    for (const GaussPoint& p : kGauss8) {
+      for (const double side : {-1.0, 1.0}) {
+        const double f = middle + side * half * p.x;
+        const double share =
+            response ? window_response(f * params_.averaging_time_s, followed) : 1.0;
+        result.push_back({f, half * p.weight * share});
+      }
+    }
+    from_hz = to_hz;
+  }
+  return result;
+}
+
+double Correction::volume_response(const Vec3& beam_W, double frequency_hz,
+                                   double mean_speed_mps) const {
+  const double wave_number_radpm = 2.0 * kPi * frequency_hz / mean_speed_mps;
+  const double across = std::hypot(beam_W.y, beam_W.z);
+  const double decay_pm = across * params_.model.coherence_rate(frequency_hz, mean_speed_mps);
+  return faddeeva_.real_part(volume_std_m_ * wave_number_radpm * std::abs(beam_W.x),
+                             volume_std_m_ * decay_pm);
+}
+
+double Correction::los_variance(const Vec3& beam_W, double mean_speed_mps) const {
+  const double lateral = params_.lateral_coherence == LateralCoherence::SameAsU ? 1.0 : 0.0;
+  const Vec3 share{beam_W.x * beam_W.x, lateral * beam_W.y * beam_W.y,
+                   lateral * beam_W.z * beam_W.z};
+  double sum = 0.0;
+  for (const Node& node : lidar_nodes_) {
+    const double f = node.frequency_hz;
+    const Vec3 spectra{params_.model.u.spectrum(f, mean_speed_mps),
+                       params_.model.v.spectrum(f, mean_speed_mps),
+                       params_.model.w.spectrum(f, mean_speed_mps)};
+    sum += node.weight_hz * dot(share, spectra) * volume_response(beam_W, f, mean_speed_mps);
+  }
+  return sum / (params_.model.u.sigma_mps * params_.model.u.sigma_mps);
+}
+
+double Correction::u_variance(double mean_speed_mps) const {
+  const KaimalComponent& u = params_.model.u;
+  double variance = 0.0;
+  if (params_.low_frequencies == LowFrequencies::Cutoff) {
+    variance = u.variance(1.0 / params_.averaging_time_s, params_.max_frequency_hz, mean_speed_mps);
+  } else {
+    for (const Node& node : point_nodes_) {
+      variance += node.weight_hz * u.spectrum(node.frequency_hz, mean_speed_mps);
+    }
+  }
+  return variance / (u.sigma_mps * u.sigma_mps);
+}
+
+double Correction::c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const {
+  return std::sqrt(u_variance(mean_speed_mps) /
+                   los_variance(beam_in_wind(beam_L, yaw_error_rad), mean_speed_mps));
+}
+
+CorrectionTable::CorrectionTable(const Correction& correction, const std::vector<Vec3>& beams_L,
+                                 std::vector<double> speeds_mps, std::vector<double> yaw_errors_rad)
+    : speeds_mps_(std::move(speeds_mps)), yaw_errors_rad_(std::move(yaw_errors_rad)) {
+  for (const Vec3& beam : beams_L) {
+    for (const double speed : speeds_mps_) {
+      for (const double yaw : yaw_errors_rad_) {
+        values_.push_back(correction.c_ti(beam, speed, yaw) * std::abs(beam_in_wind(beam, yaw).x));
+      }
+    }
+  }
+}
+
+bool CorrectionTable::covers(double mean_speed_mps, double yaw_error_rad) const noexcept {
+  return mean_speed_mps >= speeds_mps_.front() && mean_speed_mps <= speeds_mps_.back() &&
+         yaw_error_rad >= yaw_errors_rad_.front() && yaw_error_rad <= yaw_errors_rad_.back();
+}
+
+CorrectionTable::Place CorrectionTable::find(double mean_speed_mps,
+                                             double yaw_error_rad) const noexcept {
+  const auto [speed, speed_part] = interval(speeds_mps_, mean_speed_mps);
+  const auto [yaw, yaw_part] = interval(yaw_errors_rad_, yaw_error_rad);
+  return {speed, yaw, speed_part, yaw_part};
+}
+
+double CorrectionTable::at(std::size_t beam, const Place& p) const noexcept {
+  const auto along_yaw = [&](std::size_t speed) {
+    const double low = corner(beam, speed, p.yaw);
+    return p.yaw_part == 0.0 ? low : low + p.yaw_part * (corner(beam, speed, p.yaw + 1) - low);
+  };
+  const double low = along_yaw(p.speed);
+  return p.speed_part == 0.0 ? low : low + p.speed_part * (along_yaw(p.speed + 1) - low);
+}
+
+double CorrectionTable::corner(std::size_t beam, std::size_t speed,
+                               std::size_t yaw) const noexcept {
+  return values_[(beam * speeds_mps_.size() + speed) * yaw_errors_rad_.size() + yaw];
+}
+
+}  // namespace lac

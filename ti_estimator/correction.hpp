@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/kaimal.hpp"
+#include "core/vec3.hpp"
+#include "ti_estimator/faddeeva.hpp"
+
+namespace lac {
+
+/// What connects v, and w, of different points inside a measurement volume (methods section 1).
+enum class LateralCoherence {
+  SameAsU,      // the coherence of u: what the frequency-domain correlation codes assume
+  Independent,  // none: TurbSim's default; the volume then averages v and w away altogether
+};
+
+/// How slow fluctuations drop out of a standard deviation over T.
+enum class LowFrequencies {
+  Cutoff,    // nothing below 1/T (S20 eq. 6)
+  Response,  // weight 1 - sinc^2(f T), what removing the mean over T really does
+};
+
+struct CorrectionParams {
+  KaimalModel model = iec_kaimal(1.0, 90.0);  // sigma_u cancels out of c_TI
+  double averaging_time_s = 600.0;            // T
+  double scan_rate_hz = 1.0;                  // f_scan, measurements per volume and second
+  double max_frequency_hz = 10.0;             // f_max of the point wind speed
+  double pulse_width_m = 30.0;                // W, full width at half maximum
+  LateralCoherence lateral_coherence = LateralCoherence::SameAsU;
+  LowFrequencies low_frequencies = LowFrequencies::Cutoff;
+};
+
+/// c_TI = sigma_u / sigma_L of S20 eqs. 6-8 with the *full* volume model of methods section 6.
+///
+/// S_los = sum over c = u, v, w of n_c^2 S_c(f) H^2(f), n the beam in the wind frame. A volume is
+/// a Gaussian of standard deviation s = W / sqrt(8 ln 2) along the beam; its points decorrelate
+/// with their offset along the wind (phase, Taylor) and across it (exponential coherence). The
+/// difference of two points of it is Gaussian with s sqrt(2), and the integral over it is
+///   H^2 = Re w( s (k n_x + i a n_t sqrt((f/U)^2 + (0.12/L_c)^2)) ),  k = 2 pi f / U,
+/// w the Faddeeva function, n_t = sqrt(n_y^2 + n_z^2).
+///
+/// c_TI does not depend on the gate (Taylor: all gates of a beam see the same statistics) nor on
+/// the turbulence level. Integrals over f: Gauss-Legendre, relative error below 1e-9.
+class Correction {
+ public:
+  explicit Correction(const CorrectionParams& params);
+
+  /// Variance of v_los between 1/T and f_scan, for unit sigma_u. `beam_W`: unit vector in the
+  /// frame of the mean wind (x down-wind or up-wind alike).
+  double los_variance(const Vec3& beam_W, double mean_speed_mps) const;
+  /// Variance of u between 1/T and f_max, for unit sigma_u.
+  double u_variance(double mean_speed_mps) const;
+  /// `beam_L`: unit vector in frame L; `yaw_error_rad`: wind minus nacelle direction, about z.
+  double c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const;
+  /// H^2, in 0 ... 1.
+  double volume_response(const Vec3& beam_W, double frequency_hz, double mean_speed_mps) const;
+
+ private:
+  struct Node {
+    double frequency_hz;
+    double weight_hz;  // contains the window's response
+  };
+  std::vector<Node> nodes(double upper_hz) const;
+
+  CorrectionParams params_;
+  double volume_std_m_;
+  Faddeeva faddeeva_;
+  std::vector<Node> lidar_nodes_;
+  std::vector<Node> point_nodes_;
+};
+
+/// The beam as the mean wind sees it: its direction in the frame whose x-axis lies along the wind,
+/// up to a turn by pi about z (methods section 6).
+Vec3 beam_in_wind(const Vec3& beam_L, double yaw_error_rad);
+
+/// c_TI |n_x| per beam over mean wind speed and yaw error: the factor for the standard deviation
+/// of v_los/|n_x|. With the default axes of the TI estimator linear interpolation is good to 0.2 %.
+class CorrectionTable {
+ public:
+  /// A place in the table, found once for all beams.
+  struct Place {
+    std::size_t speed = 0, yaw = 0;  // lower corner
+    double speed_part = 0.0, yaw_part = 0.0;
+  };
+
+  /// Axes rise strictly, at least one value each.
+  CorrectionTable(const Correction& correction, const std::vector<Vec3>& beams_L,
+                  std::vector<double> speeds_mps, std::vector<double> yaw_errors_rad);
+
+  bool covers(double mean_speed_mps, double yaw_error_rad) const noexcept;
+  /// Precondition: covers().
+  Place find(double mean_speed_mps, double yaw_error_rad) const noexcept;
+  /// Bilinear.
+  double at(std::size_t beam, const Place& place) const noexcept;
+
+ private:
+  double corner(std::size_t beam, std::size_t speed, std::size_t yaw) const noexcept;
+
+  std::vector<double> speeds_mps_;
+  std::vector<double> yaw_errors_rad_;
+  std::vector<double> values_;  // beams x speeds x yaw errors
+};
+
+}  // namespace lac

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ti_estimator/ti_estimator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lac {
+namespace {
+
+constexpr double kCosOfTwoDegrees = 0.99939;
+constexpr double kSpareRows = 1.25;  // a lidar may be that much faster than ScanTime
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Where a sample comes from: the beam in frame I, and along the mean wind.
+struct View {
+  Vec3 beam_I;
+  double along_wind;  // -n_x
+};
+
+View view_of(const LidarMeasurement& m, const TiEstimatorParams& p, double yaw_error_rad) {
+  const bool moving = p.motion_compensation;
+  const double roll = moving ? m.roll_rad : 0.0, pitch = moving ? m.pitch_rad : 0.0;
+  const double yaw = moving ? m.yaw_rad : kPi;
+  const Vec3 beam_I = rotation_from_roll_pitch_yaw(roll, pitch, yaw) * m.beam_dir_L;
+  if (!p.use_yaw_error) return {beam_I, -beam_I.x};
+  // Seen from the wind, the nacelle is turned by minus the yaw error, wherever x of I points.
+  const Vec3 beam_W = rotation_from_roll_pitch_yaw(roll, pitch, kPi - yaw_error_rad) * m.beam_dir_L;
+  return {beam_I, -beam_W.x};
+}
+
+}  // namespace
+
+TiEstimator::TiEstimator(TiEstimatorParams params, double time_step_s)
+    : params_(std::move(params)),
+      time_step_s_(time_step_s),
+      needed_samples_(std::max(2, static_cast<int>(std::ceil(
+                                      params_.minimum_fill * params_.expected_samples() - 1e-9)))),
+      table_(Correction(params_.correction), params_.beam_dir_L, params_.table_speeds_mps,
+             params_.table_yaw_errors_rad) {}
+
+TiEstimator::State TiEstimator::initial_state() const {
+  const int beams = static_cast<int>(params_.beam_dir_L.size());
+  const double rows = kSpareRows * beams * params_.expected_samples() + 2.0 * beams;
+  State s;
+  s.window = SampleWindow(beams, params_.number_of_gates, static_cast<int>(rows),
+                          params_.averaging_time_s);
+  s.beams.resize(params_.beam_dir_L.size());
+  return s;
+}
+
+TiEstimator::Outputs TiEstimator::step(const Inputs& in, State& state) const noexcept {
+  if (params_.use_yaw_error && std::isfinite(in.yaw_error_rad)) {
+    state.yaw_error_rad.add(in.yaw_error_rad, time_step_s_, params_.averaging_time_s);
+  }
+  Outputs out;
+  const int left = state.window.expire(in.time_s);
+  if (left >= 0) update_beam(left, state);
+  if (in.measurement != nullptr) take_in(*in.measurement, in.time_s, state, out);
+  if (left >= 0 || in.measurement != nullptr) {
+    update_estimate(in.time_s, state);
+    state.power_level.set_intensity(state.intensity, params_.power_level);
+  }
+  state.power_level.step(params_.power_level.rate_1ps, time_step_s_);
+
+  out.intensity = state.intensity;
+  out.mean_speed_mps = state.mean_speed_mps;
+  out.filled_series = state.filled_series;
+  out.outside_table = state.outside_table;
+  out.power_level = state.power_level.level();
+  out.power_level_valid = state.power_level.valid();
+  return out;
+}
+
+void TiEstimator::take_in(const LidarMeasurement& m, double time_s, State& state,
+                          Outputs& out) const noexcept {
+  const View view = view_of(m, params_, state.yaw_error_rad.mean());
+  const double own_mps = params_.motion_compensation ? dot(view.beam_I, m.velocity_I_mps) : 0.0;
+  std::array<std::int32_t, native_lidar::kMaxGates> row;
+  row.fill(SampleWindow::kNone);
+  const int gates = std::min(m.gate_count, params_.number_of_gates);
+  for (int g = 0; g < gates; ++g) {
+    const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
+    const double u_mps = (gate.speed_mps - own_mps) / view.along_wind;
+    if (gate.valid && view.along_wind > kSmallestProjection && RunningMoments::fits(u_mps)) {
+      row[static_cast<std::size_t>(g)] = RunningMoments::quantise(u_mps);
+    }
+  }
+  out.too_many_gates = m.gate_count > params_.number_of_gates;
+  out.other_direction = is_other_direction(m);
+  out.no_room = !state.window.add(time_s, m.beam_id, row);
+  update_beam(m.beam_id, state);
+}
+
+bool TiEstimator::is_other_direction(const LidarMeasurement& m) const noexcept {
+  const double cosine = dot(m.beam_dir_L, params_.beam_dir_L[static_cast<std::size_t>(m.beam_id)]);
+  return !(std::abs(cosine - 1.0) < 1.0 - kCosOfTwoDegrees);
+}
+
+void TiEstimator::update_beam(int beam, State& state) const noexcept {
+  State::Beam sums;
+  for (int g = 0; g < params_.number_of_gates; ++g) {
+    const RunningMoments& series = state.window.series(beam, g);
+    if (series.count() < needed_samples_) continue;
+    sums.sum_of_std_mps += series.standard_deviation_mps();
+    sums.sum_of_mean_mps += series.mean_mps();
+    ++sums.filled;
+  }
+  state.beams[static_cast<std::size_t>(beam)] = sums;
+}
+
+void TiEstimator::update_estimate(double time_s, State& state) const noexcept {
+  double mean_mps = 0.0;
+  int filled = 0;
+  for (const State::Beam& beam : state.beams) {
+    mean_mps += beam.sum_of_mean_mps;
+    filled += beam.filled;
+  }
+  state.intensity = state.mean_speed_mps = kNaN;
+  state.filled_series = filled;
+  if (filled == 0 || !state.window.has_lasted(time_s)) return;
+
+  mean_mps /= filled;
+  const double yaw_error_rad = state.yaw_error_rad.mean();
+  state.mean_speed_mps = mean_mps;
+  state.outside_table = !table_.covers(mean_mps, yaw_error_rad);
+  if (state.outside_table) return;
+  const CorrectionTable::Place place = table_.find(mean_mps, yaw_error_rad);
+  double sigma_mps = 0.0;
+  for (std::size_t b = 0; b < state.beams.size(); ++b) {
+    sigma_mps += table_.at(b, place) * state.beams[b].sum_of_std_mps;
+  }
+  state.intensity = sigma_mps / filled / mean_mps;
+}
+
+}  // namespace lac

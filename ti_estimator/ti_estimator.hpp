@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/filters.hpp"
+#include "ti_estimator/sample_window.hpp"
+#include "ti_estimator/ti_estimator_params.hpp"
+
+namespace lac {
+
+/// Turbulence intensity from line-of-sight speeds (S20; methods section 6), and the power level
+/// that goes with it.
+///
+/// Each valid sample becomes a longitudinal wind speed
+///   u = (v_los - n_I . V_lidar) / (-n_x),   n_x: along the mean wind,
+/// v_los positive towards the lidar. Per beam b and gate, over the last T seconds: mean and sample
+/// standard deviation. With the series that hold enough samples,
+///   TI = mean(c_TI,b |n_x,b| std(u)) / U,   U = mean(mean(u)).
+/// For a beam at rest |n_x| std(u) is std(v_los), S20's quantity; formed from u it is blind to slow
+/// turns of the beam. There is no estimate before T has passed, with no series filled, and for U
+/// or yaw error outside the c_TI table.
+class TiEstimator {
+ public:
+  struct Inputs {
+    const LidarMeasurement* measurement = nullptr;  // nullptr: nothing new in this step
+    double time_s = 0.0;
+    double yaw_error_rad = 0.0;  // used with UseYawError only
+  };
+  struct Outputs {
+    double intensity = std::numeric_limits<double>::quiet_NaN();  // TI [-]
+    double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();
+    int filled_series = 0;
+    double power_level = 1.0;
+    bool power_level_valid = false;
+    bool outside_table = false;
+    // About this step's measurement:
+    bool too_many_gates = false;   // more than NumberOfGates
+    bool other_direction = false;  // beam more than 2 deg from BeamAzimuth, BeamElevation
+    bool no_room = false;          // came much faster than ScanTime says, not used
+    bool valid() const { return intensity == intensity; }
+  };
+  struct State {
+    struct Beam {
+      double sum_of_std_mps = 0.0;   // over the filled series
+      double sum_of_mean_mps = 0.0;  // over the filled series
+      int filled = 0;
+      void visit(StateArchive& a) { a(sum_of_std_mps), a(sum_of_mean_mps), a(filled); }
+    };
+    SampleWindow window;
+    std::vector<Beam> beams;
+    SlowMean yaw_error_rad;
+    double intensity = std::numeric_limits<double>::quiet_NaN();
+    double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();
+    int filled_series = 0;
+    bool outside_table = false;
+    PowerLevel power_level;
+    void visit(StateArchive& a) {
+      a(window), a(beams), a(yaw_error_rad), a(intensity), a(mean_speed_mps);
+      a(filled_series), a(outside_table), a(power_level);
+    }
+  };
+
+  TiEstimator(TiEstimatorParams params, double time_step_s);
+  State initial_state() const;
+  /// In a step without a measurement only the power level moves and one old row may leave.
+  Outputs step(const Inputs& in, State& state) const noexcept;
+
+ private:
+  void take_in(const LidarMeasurement& m, double time_s, State& state, Outputs& out) const noexcept;
+  bool is_other_direction(const LidarMeasurement& m) const noexcept;
+  void update_beam(int beam, State& state) const noexcept;
+  void update_estimate(double time_s, State& state) const noexcept;
+
+  TiEstimatorParams params_;
+  double time_step_s_;
+  int needed_samples_;
+  CorrectionTable table_;
+};
+
+}  // namespace lac

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records <-> TiEstimator. Reads the host's lidar block and record 24, writes the Turbulence* and
+// PowerLevel* records of the chain block.
+#include "core/chain_block.hpp"
+#include "core/discon_module.hpp"
+#include "ti_estimator/ti_estimator.hpp"
+
+namespace lac {
+namespace {
+
+class TiEstimatorModule final : public DisconModule {
+ public:
+  TiEstimatorModule(const TiEstimatorParams& params, double time_step_s)
+      : gates_(params.number_of_gates),
+        reader_(params.reader),
+        estimator_(params, time_step_s),
+        state_(estimator_.initial_state()),
+        reader_state_(reader_.initial_state()) {}
+
+  const LidarReader& reader() const { return reader_; }
+
+  void step(SwapView swap, double time_s, Notice& notice) noexcept override {
+    TiEstimator::Inputs in;
+    in.time_s = time_s;
+    in.yaw_error_rad = swap.get(Rec::YawError);
+    if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
+      in.measurement = &measurement_;
+    }
+    const TiEstimator::Outputs out = estimator_.step(in, state_);
+    report(out, notice);
+    write(out, swap);
+  }
+
+  void visit_state(StateArchive& a) override { a(state_), a(reader_state_), a(reported_); }
+
+ private:
+  struct Reported {
+    bool gates = false, direction = false, room = false;  // once per run
+    bool valid = false, outside = false;                  // at each change
+    void visit(StateArchive& a) { a(gates), a(direction), a(room), a(valid), a(outside); }
+  };
+
+  void report(const TiEstimator::Outputs& out, Notice& notice) noexcept {
+    if (out.too_many_gates && !reported_.gates) {
+      notice.warn("lidar sends %d gates, only the first %d are used (NumberOfGates)",
+                  measurement_.gate_count, gates_);
+    }
+    if (out.other_direction && !reported_.direction) {
+      notice.warn(
+          "beam %d looks more than 2 deg away from its BeamAzimuth and BeamElevation: "
+          "c_TI is that of another beam",
+          measurement_.beam_id);
+    }
+    if (out.no_room && !reported_.room) {
+      notice.warn("lidar measures much faster than ScanTime says: some samples are not used");
+    }
+    if (out.outside_table && !reported_.outside) {
+      notice.warn("mean wind (%.1f m/s) or yaw error outside the c_TI table: no estimate",
+                  out.mean_speed_mps);
+    } else if (reported_.valid && !out.valid()) {
+      notice.warn(
+          "turbulence intensity lost: %d volumes have enough samples; the power level "
+          "goes back to 1",
+          out.filled_series);
+    }
+    reported_ = {reported_.gates || out.too_many_gates, reported_.direction || out.other_direction,
+                 reported_.room || out.no_room, out.valid(), out.outside_table};
+  }
+
+  void write(const TiEstimator::Outputs& out, SwapView& swap) const noexcept {
+    swap.set(Rec::TurbulenceIntensity, out.intensity);
+    swap.set(Rec::TurbulenceValid, out.valid() ? 1.0 : 0.0);
+    swap.set(Rec::PowerLevel, out.power_level);
+    swap.set(Rec::PowerLevelValid, out.power_level_valid ? 1.0 : 0.0);
+  }
+
+  int gates_;
+  LidarReader reader_;
+  TiEstimator estimator_;
+  TiEstimator::State state_;
+  LidarReader::State reader_state_;
+  LidarMeasurement measurement_;
+  Reported reported_;
+};
+
+}  // namespace
+
+const char* module_name() {
+  return "ti_estimator";
+}
+
+std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
+  InputFile in = InputFile::load(start.input_file);
+  auto module = std::make_unique<TiEstimatorModule>(TiEstimatorParams::read(in), start.time_step_s);
+  require_chain_block(swap);
+  module->reader().require(swap);
+  return module;
+}
+
+}  // namespace lac

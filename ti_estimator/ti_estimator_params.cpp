@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ti_estimator/ti_estimator_params.hpp"
+
+#include "core/units.hpp"
+
+namespace lac {
+namespace {
+
+void read_lidar(InputFile& in, TiEstimatorParams& p) {
+  p.reader = LidarReaderParams::read(in);
+  const auto beams = static_cast<std::size_t>(p.reader.number_of_beams);
+  const auto azimuth = in.numbers("BeamAzimuth", beams, "NumberOfBeams", Range::between(-90, 90));
+  const auto elevation =
+      in.numbers("BeamElevation", beams, "NumberOfBeams", Range::between(-90, 90));
+  for (std::size_t i = 0; i < beams; ++i) {
+    p.beam_dir_L.push_back(beam_direction(rad_from_deg(azimuth[i]), rad_from_deg(elevation[i])));
+  }
+  if (p.reader.layout == LidarLayout::Guo) {
+    p.number_of_gates = static_cast<int>(p.reader.gate_range_m.size());
+  } else {
+    p.number_of_gates =
+        in.integer("NumberOfGates", p.number_of_gates, Range::between(1, native_lidar::kMaxGates));
+  }
+  p.scan_time_s = in.number("ScanTime", Range::between(0.05, 30.0));
+  p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
+}
+
+void read_statistics(InputFile& in, TiEstimatorParams& p) {
+  p.averaging_time_s = in.number("AveragingTime", p.averaging_time_s, Range::between(60.0, 3600.0));
+  p.minimum_fill = in.number("MinimumFill", p.minimum_fill, Range::between(0.1, 1.0));
+  if (p.expected_samples() < kFewestSamples || p.expected_samples() > kMostSamples) {
+    in.fail("AveragingTime", "AveragingTime over ScanTime is " +
+                                 std::to_string(p.expected_samples()) +
+                                 " samples per volume, expected " + std::to_string(kFewestSamples) +
+                                 " to " + std::to_string(kMostSamples));
+  }
+}
+
+void read_correction(InputFile& in, TiEstimatorParams& p) {
+  CorrectionParams& c = p.correction;
+  c.model = iec_kaimal(1.0, in.number("HubHeight", Range::positive()));
+  c.averaging_time_s = p.averaging_time_s;
+  c.scan_rate_hz = 1.0 / p.scan_time_s;
+  c.max_frequency_hz = in.number("MaximumFrequency", c.max_frequency_hz, Range::positive());
+  c.pulse_width_m = in.number("PulseWidth", c.pulse_width_m, Range::not_negative());
+  c.lateral_coherence =
+      static_cast<LateralCoherence>(in.choice("LateralCoherence", 0, {"same_as_u", "independent"}));
+  c.low_frequencies =
+      static_cast<LowFrequencies>(in.choice("LowFrequencies", 0, {"cutoff", "response"}));
+  if (c.max_frequency_hz * p.averaging_time_s <= 1.0) {
+    in.fail("MaximumFrequency", "not above 1/AveragingTime");
+  }
+}
+
+void read_axis(InputFile& in, const std::string& key, Range range, std::vector<double>& axis) {
+  if (!in.has(key)) return;
+  axis = in.numbers(key, range);
+  if (axis.size() < 2) in.fail(key, "found one value, expected two or more");
+  for (std::size_t i = 1; i < axis.size(); ++i) {
+    if (axis[i] <= axis[i - 1]) {
+      in.fail(key, "value " + std::to_string(i + 1) + " (" + std::to_string(axis[i]) +
+                       ") is not above the one before it, expected rising values");
+    }
+  }
+}
+
+void read_table_axes(InputFile& in, TiEstimatorParams& p) {
+  read_axis(in, "TableWindSpeeds", {0.5, 100.0}, p.table_speeds_mps);
+  p.use_yaw_error = in.flag("UseYawError", p.use_yaw_error);
+  std::vector<double> yaw_deg{-30, -25, -20, -15, -10, -5, 0, 5, 10, 15, 20, 25, 30};
+  read_axis(in, "TableYawErrors", Range::between(-60, 60), yaw_deg);
+  if (p.use_yaw_error) {
+    p.table_yaw_errors_rad.clear();
+    for (const double deg : yaw_deg) p.table_yaw_errors_rad.push_back(rad_from_deg(deg));
+  }
+  for (std::size_t i = 0; i < p.beam_dir_L.size(); ++i) {
+    for (const double yaw : p.table_yaw_errors_rad) {
+      if (beam_in_wind(p.beam_dir_L[i], yaw).x >= kSmallestProjection) continue;
+      in.fail("BeamAzimuth", "beam " + std::to_string(i + 1) + " lies almost across the wind at " +
+                                 std::to_string(deg_from_rad(yaw)) +
+                                 " deg yaw error and cannot measure it");
+    }
+  }
+}
+
+void read_power_level(InputFile& in, TiEstimatorParams& p) {
+  PowerLevelParams& g = p.power_level;
+  g.rated_intensity = in.number("TIRated", g.rated_intensity, Range::positive());
+  g.zero_intensity = in.number("TI0", g.zero_intensity, Range::positive());
+  g.maximum = in.number("MaximumPowerLevel", g.maximum, Range::between(0.0, 2.0));
+  g.rate_1ps = in.number("PowerLevelRate", g.rate_1ps, Range::positive());
+  if (g.zero_intensity <= g.rated_intensity) {
+    in.fail("TI0", "found " + std::to_string(g.zero_intensity) + ", expected more than TIRated (" +
+                       std::to_string(g.rated_intensity) + "): more turbulence, less power");
+  }
+}
+
+}  // namespace
+
+TiEstimatorParams TiEstimatorParams::read(InputFile& in) {
+  TiEstimatorParams p;
+  read_lidar(in, p);
+  read_statistics(in, p);
+  read_correction(in, p);
+  read_table_axes(in, p);
+  read_power_level(in, p);
+  in.finish();
+  return p;
+}
+
+}  // namespace lac
