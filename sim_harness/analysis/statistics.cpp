@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/analysis/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace lac::sim {
+
+Statistics statistics(std::span<const double> series, std::size_t first_sample) {
+  if (series.size() < first_sample + 2) {
+    throw Error("statistics need at least two samples: the series has " +
+                std::to_string(series.size()) + ", of which the first " +
+                std::to_string(first_sample) + " are discarded");
+  }
+  const auto used = series.subspan(first_sample);
+  const auto count = static_cast<double>(used.size());
+  double sum = 0.0;
+  for (const double x : used) sum += x;
+  const double mean = sum / count;
+  double squares = 0.0;
+  for (const double x : used) squares += (x - mean) * (x - mean);
+  const double deviation = std::sqrt(squares / (count - 1.0));
+  if (std::isnan(mean)) return {mean, deviation, mean, mean};
+  const auto [min, max] = std::minmax_element(used.begin(), used.end());
+  return {mean, deviation, *min, *max};
+}
+
+std::vector<double> rate_of_change(std::span<const double> series, double time_step_s) {
+  std::vector<double> rate;
+  if (series.size() < 2) return rate;
+  rate.reserve(series.size() - 1);
+  for (std::size_t i = 1; i < series.size(); ++i) {
+    rate.push_back((series[i] - series[i - 1]) / time_step_s);
+  }
+  return rate;
+}
+
+}  // namespace lac::sim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace lac::sim {
+
+/// In the unit of the series. A NaN in the series makes all four NaN.
+struct Statistics {
+  double mean = 0.0;
+  double standard_deviation = 0.0;  // with n - 1
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// Of the samples from first_sample on (the run-in before it is discarded). Throws lac::Error
+/// if fewer than two samples are left.
+Statistics statistics(std::span<const double> series, std::size_t first_sample = 0);
+
+/// Differences of neighbours over the time step, one value less than the series: the mean rate
+/// in each step [unit/s]. For a pitch rate from a pitch angle.
+std::vector<double> rate_of_change(std::span<const double> series, double time_step_s);
+
+}  // namespace lac::sim

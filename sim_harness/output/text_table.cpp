@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/output/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace lac::sim {
+namespace {
+
+constexpr std::size_t kGap = 2;
+
+std::size_t width_of(const std::string& utf8) {
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+std::string fixed_point(double value, int decimals, const char* sign) {
+  char text[400];  // a double has up to 309 digits before the point
+  std::snprintf(text, sizeof text, "%s%.*f", sign, decimals, value);
+  return text;
+}
+
+}  // namespace
+
+TextTable::TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+
+void TextTable::add_row(std::vector<std::string> cells) {
+  if (cells.size() != rows_.front().size()) {
+    throw Error("table: a row has " + std::to_string(cells.size()) + " cells, expected " +
+                std::to_string(rows_.front().size()));
+  }
+  rows_.push_back(std::move(cells));
+}
+
+std::string TextTable::text() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string text;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string padding(widths[i] - width_of(rows_[r][i]), ' ');
+      if (i > 0) line += std::string(kGap, ' ');
+      line += i == 0 ? rows_[r][i] + padding : padding + rows_[r][i];
+    }
+    const std::size_t rule = width_of(line);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    if (r == 0) text += std::string(rule, '-') + "\n";
+  }
+  return text;
+}
+
+std::string format_value(double value, int decimals) {
+  return std::isfinite(value) ? fixed_point(value, decimals, "") : "n/a";
+}
+
+std::string format_change(double relative_change) {
+  if (!std::isfinite(relative_change)) return "n/a";
+  const double percent = 100.0 * relative_change;
+  const int decimals = std::abs(percent) < 1.0 ? 2 : 1;
+  if (std::abs(percent) < 0.005) return "0.00 %";
+  return fixed_point(percent, decimals, percent > 0.0 ? "+" : "") + " %";
+}
+
+}  // namespace lac::sim
