@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -126,12 +125,21 @@ class InstanceTable {
 inline std::uint64_t hash_of_text(std::string_view s,
                                   std::uint64_t seed = 0x9e3779b97f4a7c15ull) noexcept {
   std::uint64_t hash = seed;
-  for (std::size_t i = 0; i < s.size(); i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, s.data() + i, std::min<std::size_t>(8, s.size() - i));
+  const auto mix = [&hash](std::uint64_t word) {
     hash = (hash ^ word) * 0xff51afd7ed558ccdull;
     hash ^= hash >> 32;
+  };
+  const char* p = s.data();
+  std::size_t left = s.size();
+  for (; left >= sizeof(std::uint64_t); left -= sizeof(std::uint64_t)) {
+    std::uint64_t word;
+    std::memcpy(&word, p, sizeof word);  // of known size: one load, not a call
+    mix(word);
+    p += sizeof word;
   }
+  std::uint64_t rest = 0;
+  for (; left > 0; --left) rest = (rest << 8) | static_cast<unsigned char>(*p++);
+  mix(rest);
   hash = (hash ^ s.size()) * 0xc4ceb9fe1a85ec53ull;
   return hash ^ (hash >> 29);
 }

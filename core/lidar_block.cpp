@@ -75,6 +75,7 @@ GuoBlock find_guo_block(const float* swap) {
   const SwapView header(const_cast<float*>(swap), first + guo_lidar::kFirstSpeed);
   const int gates = header.integer(first + guo_lidar::kNumberOfGates, 0);
   if (gates < 1 || gates > guo_lidar::kMaxGates) return {};
+  if (first + guo_lidar::kFixedSize + gates - 1 > kExtendedArraySize) return {};
   return {first, gates};
 }
 

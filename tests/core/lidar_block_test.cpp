@@ -93,6 +93,11 @@ TEST(LidarBlock, NonsenseAtRecord63IsNotFollowed) {
     swap.set(Rec::LogStart, static_cast<double>(start));
     EXPECT_EQ(find_guo_block(array.data()).first, 0) << start;
   }
+  swap.set(Rec::LogStart, 3280);  // room for 8 gates and no more
+  array[3281] = 8.0f;
+  EXPECT_EQ(find_guo_block(array.data()).gates, 8);
+  array[3281] = 9.0f;
+  EXPECT_EQ(find_guo_block(array.data()).first, 0);
   swap.set(Rec::LogStart, 165);
   for (const float gates : {0.0f, -1.0f, 51.0f, 1.0e20f, std::nanf("")}) {
     array[166] = gates;

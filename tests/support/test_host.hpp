@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstring>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -55,11 +55,10 @@ class TestHost {
     std::vector<char> message(message_capacity, '#');
     int fail = 0;
     entry_(array.data(), &fail, in.data(), out.data(), message.data());
-    const auto* end = static_cast<const char*>(std::memchr(message.data(), '\0', message.size()));
+    const auto end = std::find(message.begin(), message.end(), '\0');
     running_ = status == LAC_STATUS_LAST ? false : running_ || fail >= 0;
-    terminated_ = end != nullptr || message_capacity == 0;
-    message_.assign(message.data(),
-                    end != nullptr ? static_cast<std::size_t>(end - message.data()) : 0);
+    terminated_ = end != message.end() || message_capacity == 0;
+    message_.assign(message.begin(), end != message.end() ? end : message.begin());
     return fail;
   }
 
