@@ -137,9 +137,15 @@ inline std::uint64_t hash_of_text(std::string_view s,
     mix(word);
     p += sizeof word;
   }
-  std::uint64_t rest = 0;
-  for (; left > 0; --left) rest = (rest << 8) | static_cast<unsigned char>(*p++);
-  mix(rest);
+  if (s.size() >= sizeof(std::uint64_t)) {  // the rest together with what stands before it
+    std::uint64_t word;
+    std::memcpy(&word, s.data() + s.size() - sizeof word, sizeof word);
+    mix(word);
+  } else {
+    std::uint64_t rest = 0;
+    for (; left > 0; --left) rest = (rest << 8) | static_cast<unsigned char>(*p++);
+    mix(rest);
+  }
   hash = (hash ^ s.size()) * 0xc4ceb9fe1a85ec53ull;
   return hash ^ (hash >> 29);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,8 @@ class ArrivalBins {
  public:
   ArrivalBins() = default;
   /// Room for `horizon` steps ahead of the step given to advance().
-  explicit ArrivalBins(std::size_t horizon) : bins_(horizon) {}
+  explicit ArrivalBins(std::size_t horizon)
+      : bins_(std::bit_ceil(horizon)), horizon_(static_cast<std::int64_t>(horizon)) {}
 
   /// Forgets what arrived before `now` (never goes back).
   void advance(std::int64_t now) noexcept {
@@ -34,7 +36,7 @@ class ArrivalBins {
 
   /// False if the arrival lies before now or beyond the horizon: not stored.
   bool add(std::int64_t arrival, double speed_mps) noexcept {
-    if (arrival < now_ || arrival >= now_ + static_cast<std::int64_t>(bins_.size())) return false;
+    if (arrival < now_ || arrival >= now_ + horizon_) return false;
     Bin sample{std::llround(speed_mps * kScale), 1};
     Bin& bin = at(arrival);
     bin.sum += sample.sum;
@@ -75,7 +77,7 @@ class ArrivalBins {
   };
 
   Bin& at(std::int64_t step) noexcept {
-    return bins_[static_cast<std::size_t>(step % static_cast<std::int64_t>(bins_.size()))];
+    return bins_[static_cast<std::size_t>(step) & (bins_.size() - 1)];
   }
   bool in_window(std::int64_t step) const { return step >= first_ && step <= last_; }
   void take(const Bin& bin, int sign) noexcept {
@@ -83,7 +85,8 @@ class ArrivalBins {
     window_.count += sign * bin.count;
   }
 
-  std::vector<Bin> bins_ = std::vector<Bin>(1);
+  std::vector<Bin> bins_ = std::vector<Bin>(1);  // a power of two, so that places need no division
+  std::int64_t horizon_ = 1;
   Bin window_;
   std::int64_t now_ = 0;
   std::int64_t first_ = 0;

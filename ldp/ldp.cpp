@@ -17,11 +17,6 @@ std::int64_t round_to_step(double time_s, double time_step_s) {
   return std::llround(time_s / time_step_s);
 }
 
-/// Up-wind distance of a gate from the rotor plane (x = 0 in frame I).
-double distance_m(const LidarMeasurement& m, const Vec3& n_I, const LidarGate& gate) {
-  return -(m.position_I_m.x + gate.range_m * n_I.x);
-}
-
 }  // namespace
 
 Ldp::Ldp(LdpParams params, double time_step_s)
@@ -36,24 +31,22 @@ Ldp::State Ldp::initial_state() const {
   return s;
 }
 
-Vec3 Ldp::beam_dir_I(const LidarMeasurement& m) const noexcept {
-  return params_.motion_compensation ? m.beam_dir_I()
-                                     : Vec3{-m.beam_dir_L.x, -m.beam_dir_L.y, m.beam_dir_L.z};
-}
-
-double Ldp::longitudinal_speed(const LidarMeasurement& m, double los_mps) const noexcept {
-  const Vec3 n_I = beam_dir_I(m);
+Ldp::Projection Ldp::projection(const LidarMeasurement& m) const noexcept {
+  const Vec3 n_I = params_.motion_compensation
+                       ? m.beam_dir_I()
+                       : Vec3{-m.beam_dir_L.x, -m.beam_dir_L.y, m.beam_dir_L.z};
   const double own_mps = params_.motion_compensation ? dot(n_I, m.velocity_I_mps) : 0.0;
-  return (los_mps - own_mps) / -n_I.x;
+  return {n_I.x, own_mps, 1.0 / -n_I.x};
 }
 
-void Ldp::update_mean_speed(const LidarMeasurement& m, State& state) const noexcept {
+void Ldp::update_mean_speed(const LidarMeasurement& m, const Projection& p,
+                            State& state) const noexcept {
   double sum = 0.0;
   int count = 0;
   for (int g = 0; g < m.gate_count; ++g) {
     const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
     if (!gate.valid) continue;
-    sum += longitudinal_speed(m, gate.speed_mps);
+    sum += p.longitudinal_mps(gate.speed_mps);
     ++count;
   }
   if (count == 0) return;
@@ -67,23 +60,23 @@ void Ldp::update_mean_speed(const LidarMeasurement& m, State& state) const noexc
 
 void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   const LidarMeasurement& m = *in.measurement;
-  update_mean_speed(m, state);
+  const Projection p = projection(m);
+  update_mean_speed(m, p, state);
   if (!state.mean_speed.started()) return;
   const double travel_mps = state.mean_speed.mean();
   if (travel_mps < kSlowestTravel_mps) return;
 
-  const Vec3 n_I = beam_dir_I(m);
   double nearest_m = std::numeric_limits<double>::infinity();
   for (int g = 0; g < m.gate_count; ++g) {
     const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
-    const double ahead_m = distance_m(m, n_I, gate);
+    const double ahead_m = -(m.position_I_m.x + gate.range_m * p.beam_x_I);
     const double required_m = params_.required_lead_s * travel_mps;
     const bool in_use = state.nearest_gate_m <= 0.0 || ahead_m > state.nearest_gate_m - kSameGate_m;
     if (!(ahead_m > 0.0) || ahead_m < (in_use ? required_m : kLeadMargin * required_m)) continue;
     nearest_m = std::min(nearest_m, ahead_m);
     if (!gate.valid) continue;
     const auto arrival = round_to_step(m.time_s + ahead_m / travel_mps, time_step_s_);
-    if (state.bins.add(arrival, longitudinal_speed(m, gate.speed_mps))) {
+    if (state.bins.add(arrival, p.longitudinal_mps(gate.speed_mps))) {
       state.last_sample_s = in.time_s;
     }
   }

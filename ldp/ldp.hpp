@@ -48,13 +48,19 @@ class Ldp {
   State initial_state() const;
   Outputs step(const Inputs& in, State& state) const noexcept;
 
-  /// Longitudinal wind speed [m/s] of a line-of-sight speed.
-  double longitudinal_speed(const LidarMeasurement& m, double los_mps) const noexcept;
+  /// From line of sight to longitudinal wind for one beam: u = (v_los - own motion)/(-n_x).
+  struct Projection {
+    double beam_x_I = -1.0;
+    double own_motion_mps = 0.0;  // n . V_lidar
+    double per_los = 1.0;         // 1/(-n_x)
+    double longitudinal_mps(double los_mps) const { return (los_mps - own_motion_mps) * per_los; }
+  };
+  Projection projection(const LidarMeasurement& m) const noexcept;
 
  private:
   void take_in(const Inputs& in, State& state) const noexcept;
-  void update_mean_speed(const LidarMeasurement& m, State& state) const noexcept;
-  Vec3 beam_dir_I(const LidarMeasurement& m) const noexcept;
+  void update_mean_speed(const LidarMeasurement& m, const Projection& p,
+                         State& state) const noexcept;
 
   LdpParams params_;
   double time_step_s_;

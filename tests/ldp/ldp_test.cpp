@@ -55,7 +55,7 @@ TEST(Ldp, LineOfSightOfTheLectureExercise) {
   const Vec3 wind_I{10.0, 3.0, 0.0};
   const double v_los = -dot(m.beam_dir_I(), wind_I);
   EXPECT_NEAR(v_los, 0.8 * 10.0 + 0.6 * 3.0, 1e-12);
-  EXPECT_NEAR(ldp.longitudinal_speed(m, v_los), 10.0 + 0.6 * 3.0 / 0.8, 1e-12);
+  EXPECT_NEAR(ldp.projection(m).longitudinal_mps(v_los), 10.0 + 0.6 * 3.0 / 0.8, 1e-12);
 }
 
 // Before anything is measured there is no number.
