@@ -14,7 +14,8 @@ namespace lac {
 std::vector<std::filesystem::path> library_candidates(
     const std::string& name, const std::vector<std::filesystem::path>& folders);
 
-/// Folder of the library or program this code is linked into.
+/// Folder of the library this code is linked into. (A program found through PATH is not known by
+/// its folder this way.)
 std::filesystem::path own_folder();
 
 /// A controller library held open, with its entry; closed with the object. Move only.

@@ -135,7 +135,9 @@ void LidarReader::judge_repeats(SwapView swap, State& state, LidarMeasurement& m
   const auto beam = static_cast<std::size_t>(m.beam_id);
   const double wind_mps = swap.get(Rec::HubWindSpeed);
   bool same = true;
+  bool any_valid = false;
   for (int g = 0; g < m.gate_count; ++g) {
+    any_valid = any_valid || m.gates[static_cast<std::size_t>(g)].valid;
     float& last = state.last_speed[beam * kGates + static_cast<std::size_t>(g)];
     const auto now = static_cast<float>(m.gates[static_cast<std::size_t>(g)].speed_mps);
     same = same && now == last;
@@ -143,9 +145,12 @@ void LidarReader::judge_repeats(SwapView swap, State& state, LidarMeasurement& m
   }
   state.repeats[beam] = same ? state.repeats[beam] + 1 : 0;
   if (!same) state.wind_at_change_mps[beam] = wind_mps;
-  const bool stuck =
-      params_.stuck_scans > 0 && state.repeats[beam] >= params_.stuck_scans &&
+  if (!any_valid) return;  // error values repeat themselves and are no use anyway
+  const bool wind_moved =
       std::abs(wind_mps - state.wind_at_change_mps[beam]) > params_.stuck_wind_change_mps;
+  const bool stuck =
+      params_.stuck_scans > 0 && same &&
+      (state.stuck[beam] != 0 || (state.repeats[beam] >= params_.stuck_scans && wind_moved));
   if (stuck != (state.stuck[beam] != 0)) {
     if (stuck) {
       notice.warn("lidar: beam %d repeats itself while the wind changes: stuck, not used",

@@ -18,7 +18,8 @@ struct LidarReaderParams {
   double min_speed_mps = -5.0;
   double max_speed_mps = 60.0;
   // A beam that repeats itself this often, to the last bit, while record 27 (nacelle anemometer)
-  // moved by more than stuck_wind_change_mps since its last fresh value, is stuck. 0: no check.
+  // moved by more than stuck_wind_change_mps since its last fresh value, is stuck until it gives a
+  // fresh one. 0: no check.
   int stuck_scans = 3;
   double stuck_wind_change_mps = 0.5;
   // Only for the Guo layout, which does not carry them; one entry per beam, per gate.

@@ -19,6 +19,11 @@ std::size_t width_of(const std::string& utf8) {
   }));
 }
 
+/// Does the cell stand for a number, with or without a unit behind it?
+bool is_number(const std::string& cell) {
+  return cell.empty() || cell == "n/a" || cell.find_first_of("+-.0123456789") == 0;
+}
+
 std::string fixed_point(double value, int decimals, const char* sign) {
   char text[400];  // a double has up to 309 digits before the point
   std::snprintf(text, sizeof text, "%s%.*f", sign, decimals, value);
@@ -42,13 +47,19 @@ std::string TextTable::text() const {
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
   }
+  std::vector<bool> to_the_right(widths.size(), true);
+  for (std::size_t r = 1; r < rows_.size(); ++r) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      to_the_right[i] = to_the_right[i] && is_number(rows_[r][i]);
+    }
+  }
   std::string text;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     std::string line;
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const std::string padding(widths[i] - width_of(rows_[r][i]), ' ');
       if (i > 0) line += std::string(kGap, ' ');
-      line += i == 0 ? rows_[r][i] + padding : padding + rows_[r][i];
+      line += to_the_right[i] ? padding + rows_[r][i] : rows_[r][i] + padding;
     }
     const std::size_t rule = width_of(line);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

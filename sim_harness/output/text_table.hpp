@@ -6,8 +6,8 @@
 
 namespace lac::sim {
 
-/// A table in aligned columns for the terminal: the first column to the left, the others to the
-/// right, a rule under the header. Widths count characters of UTF-8 text, not bytes.
+/// A table in aligned columns for the terminal: numbers to the right, words to the left, a rule
+/// under the header. Widths count characters of UTF-8 text, not bytes.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header);

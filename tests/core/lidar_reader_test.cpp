@@ -93,9 +93,29 @@ TEST(LidarReader, StuckBeam) {
     warnings += b.notice.level();
   }
   EXPECT_EQ(warnings, 4);
-  b.send(20.0, 0, 0.5);
+  b.swap().set(Rec::HubWindSpeed, 16.0);  // wind back where it was: still stuck
+  for (int i = 80; i < 84; ++i) {
+    b.send(i * 0.25, i % 4);
+    EXPECT_FALSE(b.m.gates[0].valid);
+    EXPECT_EQ(b.notice.level(), 0);
+  }
+  b.send(30.0, 0, 0.5);
   EXPECT_TRUE(b.m.gates[0].valid);
   EXPECT_THAT(std::string(b.notice.text()), testing::HasSubstr("beam 0 gives fresh values again"));
+}
+
+// Error values that repeat themselves are invalid, and no message of a stuck beam.
+TEST(LidarReader, RepeatedErrorValuesAreNotStuck) {
+  Bench b;
+  for (int i = 0; i < 80; ++i) {
+    b.swap().set(Rec::HubWindSpeed, 16.0 + 0.1 * i);
+    LidarMeasurement sent = b.scan.measure(i * 0.25, i % 4);
+    for (auto& gate : sent.gates) gate.speed_mps = 999.0;
+    write_native_lidar(b.swap(), sent, true);
+    ASSERT_TRUE(b.read(i * 0.25));
+    EXPECT_FALSE(b.m.gates[0].valid);
+    EXPECT_EQ(b.notice.level(), 0);
+  }
 }
 
 // A beam id the input file does not know is told once and not used.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,12 +13,19 @@
 
 namespace lac::test {
 
+/// Root name for output files, in the system's temporary folder and unlike any other's.
+inline std::string own_output_root() {
+  static std::atomic<int> count{0};
+  const auto root = "lac_" + std::to_string(getpid()) + "_" + std::to_string(++count) + ".SrvD";
+  return (std::filesystem::temp_directory_path() / root).string();
+}
+
 /// Calls one built library as a host or the master does, with an array of exactly `size` floats.
 /// A size of kPrivateArraySize carries the chain block, as the master's array.
 class DisconCaller {
  public:
   explicit DisconCaller(const std::string& library, std::string in_file,
-                        int size = kPrivateArraySize, std::string out_name = "test.SrvD")
+                        int size = kPrivateArraySize, std::string out_name = own_output_root())
       : library_(DisconLibrary::open(library, "DISCON", {LAC_LIBRARY_DIR})),
         array_(static_cast<std::size_t>(size), 0.0f),
         in_file_(std::move(in_file)),

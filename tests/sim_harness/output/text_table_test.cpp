@@ -11,7 +11,7 @@
 namespace lac::sim {
 namespace {
 
-// The whole text: first column left, numbers right, two-byte characters count once.
+// The whole text: words left, numbers right, two-byte characters count once.
 TEST(TextTable, AlignsColumns) {
   TextTable table({"Quantity", "Unit", "Lidar"});
   table.add_row({"Rotor speed", "rpm", "12.10"});
@@ -19,8 +19,8 @@ TEST(TextTable, AlignsColumns) {
   EXPECT_EQ(table.text(),
             "Quantity     Unit  Lidar\n"
             "------------------------\n"
-            "Rotor speed   rpm  12.10\n"
-            "Yaw             °  -3.00\n");
+            "Rotor speed  rpm   12.10\n"
+            "Yaw          °     -3.00\n");
 }
 
 // A row of another length is a mistake of the caller.

@@ -8,6 +8,7 @@
 //   quiet 1                 writes nothing down
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -83,11 +84,11 @@ extern "C" LAC_DISCON_EXPORT void DISCON(float* swap, int* fail, const char* in_
   for (const auto& [record, value] : probe->puts) swap[record - 1] = static_cast<float>(value);
   if (probe->calls == probe->warn_at) {
     *fail = 1;
-    std::strcpy(message, "probe: a warning");
+    std::snprintf(message, 100, "probe: a warning");
   }
   if (probe->calls == probe->fail_at || (status == LAC_STATUS_LAST && probe->fail_at_last)) {
     *fail = -1;
-    std::strcpy(message, "probe: told to fail");
+    std::snprintf(message, 100, "probe: told to fail");
   }
   ++probe->calls;
   if (status == LAC_STATUS_LAST) {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of one controller step at 80 Hz, as the host sees it: the master with its four secondaries
+// and a lidar, the feedback-only chain, and one call of an unmodified ROSCO without its log.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "support/discon_caller.hpp"
+#include "support/lidar_scan.hpp"
+
+namespace lac {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kStepsPerMeasurement = 20;  // one beam each 0.25 s
+constexpr int kRecorded = 8000;           // 100 s of inputs, repeated
+
+struct HostInput {
+  float generator_speed_radps, rotor_speed_radps, wind_mps, pitch_rad;
+};
+
+/// Inputs like those of a turbine at 18 m/s in turbulence: everything moves at every step.
+std::vector<HostInput> recorded_inputs() {
+  std::vector<HostInput> inputs;
+  for (int i = 0; i < kRecorded; ++i) {
+    const double t = i * 0.0125;
+    const double slow = std::sin(0.31415926 * t), fast = 0.3 * std::sin(2.1 * t);
+    const double speed = 122.91 * (1.0 + 0.02 * (slow + fast));
+    inputs.push_back({static_cast<float>(speed), static_cast<float>(speed / 97.0),
+                      static_cast<float>(18.0 + 2.0 * slow + fast),
+                      static_cast<float>(0.26 + 0.02 * slow)});
+  }
+  return inputs;
+}
+
+std::vector<LidarMeasurement> recorded_measurements() {
+  test::LidarScan scan;
+  scan.travel_mps = 18.0;
+  scan.gate_distance_m.clear();
+  for (int g = 0; g < 10; ++g) scan.gate_distance_m.push_back(50.0 + 13.3 * g);
+  scan.wind_mps = [](double t) { return 18.0 + 2.0 * std::sin(0.31415926 * t); };
+  std::vector<LidarMeasurement> measurements;
+  for (int i = 0; i < kRecorded / kStepsPerMeasurement; ++i) {
+    measurements.push_back(scan.measure(i * 0.25, i % 4));
+  }
+  return measurements;
+}
+
+void set_inputs(SwapView swap, const HostInput& in) {
+  swap.set(Rec::GeneratorSpeed, static_cast<double>(in.generator_speed_radps));
+  swap.set(Rec::RotorSpeed, static_cast<double>(in.rotor_speed_radps));
+  swap.set(Rec::HubWindSpeed, static_cast<double>(in.wind_mps));
+  swap.set(Rec::PitchBlade1, static_cast<double>(in.pitch_rad));
+  swap.set(Rec::PitchBlade2, static_cast<double>(in.pitch_rad));
+  swap.set(Rec::PitchBlade3, static_cast<double>(in.pitch_rad));
+}
+
+/// The cost of filling the records is in the figure; it is the host's, a few nanoseconds.
+void run(benchmark::State& state, test::DisconCaller& caller, bool lidar) {
+  const auto inputs = recorded_inputs();
+  const auto measurements = recorded_measurements();
+  LidarMeasurement m;
+  long step = 0;
+  const auto one = [&](int status) {
+    const auto i = static_cast<std::size_t>(step % kRecorded);
+    set_inputs(caller.swap(), inputs[i]);
+    if (lidar) {
+      const bool is_new = step % kStepsPerMeasurement == 0;
+      if (is_new) {
+        m = measurements[i / kStepsPerMeasurement];
+        m.time_s = static_cast<double>(step) * 0.0125;
+      }
+      write_native_lidar(caller.swap(), m, is_new);
+    }
+    ++step;
+    return caller.call(status);
+  };
+  caller.swap().set(Rec::NumberOfBlades, 3);
+  caller.swap().set(Rec::PitchControl, 0);
+  if (one(0) < 0) return state.SkipWithError(caller.message().c_str());
+  for (int i = 0; i < 8000; ++i) one(1);
+  for (auto _ : state) {
+    if (one(1) < 0) return state.SkipWithError(caller.message().c_str());
+  }
+  caller.call(-1);
+}
+
+void lidar_assisted_chain(benchmark::State& state) {
+  test::DisconCaller caller("liblac_wrapper", LAC_SOURCE_DIR "/config/nrel5mw/wrapper_lac.IN",
+                            kExtendedArraySize);
+  run(state, caller, true);
+}
+BENCHMARK(lidar_assisted_chain);
+
+void feedback_only_chain(benchmark::State& state) {
+  test::DisconCaller caller("liblac_wrapper", LAC_SOURCE_DIR "/config/nrel5mw/wrapper_fb.IN",
+                            kExtendedArraySize);
+  run(state, caller, false);
+}
+BENCHMARK(feedback_only_chain);
+
+/// ROSCO's shipped 5 MW input with its log switched off, beside its performance table.
+fs::path rosco_input() {
+  const fs::path shipped = fs::path(LAC_ROSCO_DIR) / "Examples/Test_Cases/NREL-5MW";
+  const fs::path folder = fs::temp_directory_path() / "lac_bench_rosco";
+  fs::create_directories(folder);
+  fs::copy_file(shipped / "Cp_Ct_Cq.NREL5MW.txt", folder / "Cp_Ct_Cq.NREL5MW.txt",
+                fs::copy_options::overwrite_existing);
+  std::ifstream in(shipped / "DISCON.IN");
+  std::ofstream out(folder / "DISCON.IN");
+  for (std::string line; std::getline(in, line);) {
+    const bool log_level = line.find("! LoggingLevel") != std::string::npos;
+    out << (log_level ? "0 ! LoggingLevel - no log" : line) << '\n';
+  }
+  return folder / "DISCON.IN";
+}
+
+void rosco_alone(benchmark::State& state) {
+  const fs::path library = fs::path(LAC_ROSCO_DIR) / "rosco/lib/libdiscon.so";
+  if (!fs::exists(library)) {
+    return state.SkipWithError("no ROSCO in build/rosco: it could not be downloaded");
+  }
+  test::DisconCaller caller(library.string(), rosco_input().string(), kExtendedArraySize,
+                            (fs::temp_directory_path() / "lac_bench_rosco/run.SrvD").string());
+  run(state, caller, false);
+}
+BENCHMARK(rosco_alone);
+
+}  // namespace
+}  // namespace lac

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim_harness/cli/access_observer.hpp"
+#include "wrapper/chain_config.hpp"
+
+namespace lac::sim {
+
+inline constexpr int kObservedSteps = 100;
+
+/// Records that belong to the call itself (status, time step, sizes of strings ...): everybody
+/// reads them.
+bool is_of_the_call(int record);
+
+struct SecondaryAccess {
+  std::string name;
+  ObservedArray::Accesses accesses;  // without records of the call
+  std::string problem;               // why it was not observed to the end; empty if it was
+};
+
+/// Calls the secondaries of a chain one after the other on one array, as the master does, for
+/// kObservedSteps steps of level flight with a lidar, and notes who touches what. host_array:
+/// what the host sends in its first call. out_root: root of files that secondaries may write.
+/// Throws lac::Error if a library cannot be loaded.
+std::vector<SecondaryAccess> observe_chain(const WrapperParams& chain,
+                                           const std::filesystem::path& master_folder,
+                                           const std::vector<float>& host_array,
+                                           const std::string& out_root);
+
+}  // namespace lac::sim

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands of the program lac do. All throw lac::Error with a text for the user.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace lac::sim {
+
+struct RunOptions {
+  std::string case_file;
+  std::vector<std::string> overrides;  // "key=value"
+  std::string output_folder;           // empty: as the case says
+};
+
+/// `lac run`: flies a case, prints its table, writes its files.
+void run_command(const RunOptions& options, std::ostream& out);
+
+/// `lac check`: reads the input of the master, finds and loads all libraries, makes a first and a
+/// last call through the real master, prints the order of calls and who reads and writes what.
+void check_command(const std::filesystem::path& wrapper_input, std::ostream& out);
+
+/// `lac --version`.
+void print_version(std::ostream& out);
+
+/// `lac records`: the map of records as a table.
+void print_records(std::ostream& out);
+
+}  // namespace lac::sim

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program lac: reads the command line and hands over.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "core/suggest.hpp"
+#include "sim_harness/cli/commands.hpp"
+
+namespace {
+
+constexpr int kFailed = 1;
+
+/// Every word that could stand at this place of the command line.
+std::vector<std::string> known_words(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  }
+  for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
+  return words;
+}
+
+/// "unknown option '--outptu' (did you mean '--output'?)", or the parser's own words.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& at = chosen.empty() ? app : *chosen.front();
+  const std::vector<std::string> extras = app.remaining(true);
+  if (extras.empty()) return error.what();
+  const std::string word = extras.front().substr(0, extras.front().find('='));
+  const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "word";
+  return "unknown " + what + " '" + word + "'" + lac::did_you_mean(word, known_words(at)) +
+         "; 'lac" + (chosen.empty() ? "" : " " + at.get_name()) + " --help' lists what there is";
+}
+
+int fail(const std::string& text) {
+  std::cerr << "lac: " << text << '\n';
+  return kFailed;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("LAC Chain: flies wind-turbine controllers with a simulated turbine and lidar");
+  app.name("lac");
+  app.require_subcommand(0, 1);
+  bool version = false;
+  app.add_flag("--version", version, "Version, build, libraries and record layouts");
+
+  lac::sim::RunOptions run;
+  CLI::App* run_command = app.add_subcommand("run", "Fly all controllers of a case file");
+  run_command->add_option("case", run.case_file, "Case file (YAML)")->required();
+  run_command->add_option("--set", run.overrides, "Replace a value, e.g. time.duration_s=120")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  run_command->add_option("--output", run.output_folder, "Folder for the results");
+
+  std::string wrapper_input;
+  CLI::App* check_command =
+      app.add_subcommand("check", "Try a chain: read all its inputs, load it, call it once");
+  check_command->add_option("input", wrapper_input, "Input file of the master")->required();
+
+  CLI::App* records_command = app.add_subcommand("records", "Print the map of records");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return 0;
+  } catch (const CLI::ParseError& e) {
+    return fail(explain(app, e));
+  }
+  if (version) return lac::sim::print_version(std::cout), 0;
+  if (run_command->parsed()) return lac::sim::run_command(run, std::cout), 0;
+  if (check_command->parsed()) return lac::sim::check_command(wrapper_input, std::cout), 0;
+  if (records_command->parsed()) return lac::sim::print_records(std::cout), 0;
+  std::cout << app.help();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory");
+  } catch (const std::exception& e) {
+    return fail(e.what());
+  }
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/cli/commands.hpp"
+#include "sim_harness/run/run_case.hpp"
+
+namespace lac::sim {
+
+void run_command(const RunOptions& options, std::ostream& out) {
+  Case c = load_case(options.case_file, options.overrides);
+  if (!options.output_folder.empty()) c.outputs.folder = options.output_folder;
+  run_case(c, out);
+}
+
+}  // namespace lac::sim

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/lidar/lidar_fault.hpp"
+
+#include <algorithm>
+
+namespace lac::sim {
+namespace {
+
+void set_all_speeds(LidarMeasurement& m, double speed_mps) {
+  for (int g = 0; g < m.gate_count; ++g) {
+    m.gates[static_cast<std::size_t>(g)].speed_mps = speed_mps;
+  }
+}
+
+}  // namespace
+
+LidarFault read_lidar_fault(YamlReader& in) {
+  LidarFault fault;
+  fault.kind = static_cast<LidarFaultKind>(
+      in.choice("kind", {"none", "dead", "nan", "stuck", "frozen", "999"}));
+  fault.start_s = in.number("start_s", fault.start_s, Range::not_negative());
+  fault.end_s = in.number("end_s", fault.end_s, Range::not_negative());
+  if (fault.end_s <= fault.start_s) in.fail("end_s", "expected a time after start_s");
+  return fault;
+}
+
+LidarFaultInjector::LidarFaultInjector(const LidarFault& fault, int beam_count)
+    : fault_(fault), last_good_(static_cast<std::size_t>(beam_count)) {}
+
+bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) {
+  if (fault_.kind == LidarFaultKind::kNone || !is_new) return is_new;
+  const auto beam = static_cast<std::size_t>(m.beam_id);
+  if (time_s < fault_.start_s || time_s >= fault_.end_s) {
+    last_good_[beam] = m;
+    last_beam_ = m.beam_id;
+    return true;
+  }
+  switch (fault_.kind) {
+    case LidarFaultKind::kNone:
+      break;
+    case LidarFaultKind::kDead:
+      return false;
+    case LidarFaultKind::kNotANumber:
+      set_all_speeds(m, std::numeric_limits<double>::quiet_NaN());
+      break;
+    case LidarFaultKind::kStuck:
+      if (last_good_[beam].gate_count == m.gate_count) m.gates = last_good_[beam].gates;
+      break;
+    case LidarFaultKind::kFrozen:
+      if (last_beam_ >= 0) m = last_good_[static_cast<std::size_t>(last_beam_)];
+      break;
+    case LidarFaultKind::kOutOfRange:
+      set_all_speeds(m, 999.0);
+      break;
+  }
+  return true;
+}
+
+}  // namespace lac::sim

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/run/case_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lac::sim {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr char kFileNameCharacters[] =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
+/// A word that makes a good file name.
+std::string file_name_word(YamlReader& in, const std::string& key, const std::string& word) {
+  if (word.empty() || word.find_first_not_of(kFileNameCharacters) != std::string::npos) {
+    in.fail(key, "found '" + word +
+                     "', expected letters, digits, '-' and '_' alone: result "
+                     "files bear this name");
+  }
+  return word;
+}
+
+CaseTime read_time(YamlReader in) {
+  CaseTime t;
+  t.duration_s = in.number("duration_s", Range::positive());
+  t.run_in_s = in.number("run_in_s", Range::not_negative());
+  t.step_s = in.number("step_s", t.step_s, {1e-4, 1.0});
+  if (t.run_in_s >= t.duration_s) in.fail("run_in_s", "expected a time before duration_s");
+  const double steps = t.duration_s / t.step_s;
+  if (std::abs(steps - std::round(steps)) > 1e-6 * steps) {
+    in.fail("duration_s", "expected a multiple of step_s");
+  }
+  in.finish();
+  return t;
+}
+
+CaseLidar read_case_lidar(YamlReader in) {
+  CaseLidar lidar;
+  if (in.has("file")) {
+    lidar.params = load_lidar(in.path("file"));
+  } else {
+    lidar.params = read_lidar(in);
+  }
+  if (in.has("fault")) {
+    YamlReader fault = in.map("fault");
+    lidar.fault = read_lidar_fault(fault);
+    fault.finish();
+  }
+  in.finish();
+  return lidar;
+}
+
+/// A library given with a folder counts from the case file; a bare name is searched for.
+std::string read_library(YamlReader& in) {
+  const std::string word = in.text("library", "");
+  return word.find('/') == std::string::npos ? word : in.path("library").string();
+}
+
+std::vector<CaseController> read_controllers(YamlReader& in) {
+  std::vector<CaseController> all;
+  for (YamlReader& item : in.maps("controllers")) {
+    CaseController c;
+    c.name = file_name_word(item, "name", item.text("name"));
+    const bool taken = std::any_of(all.begin(), all.end(),
+                                   [&](const CaseController& o) { return o.name == c.name; });
+    if (taken) item.fail("name", "found '" + c.name + "' twice, expected different names");
+    c.input_file = item.path("input");
+    c.library = read_library(item);
+    c.entry = item.text("entry", c.entry);
+    item.finish();
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+CaseOutputs read_outputs(YamlReader& in, const std::string& case_name) {
+  CaseOutputs out;
+  out.folder = fs::path("results") / case_name;
+  if (!in.has("outputs")) return out;
+  YamlReader map = in.map("outputs");
+  if (map.has("folder")) out.folder = map.path("folder");
+  out.outb = map.flag("outb", out.outb);
+  out.csv = map.flag("csv", out.csv);
+  out.html = map.flag("html", out.html);
+  map.finish();
+  return out;
+}
+
+std::uint64_t read_seed(YamlReader& in) {
+  return static_cast<std::uint64_t>(in.integer("seed", 1, Range::between(0, 2147483647)));
+}
+
+}  // namespace
+
+std::int64_t CaseTime::steps() const {
+  return std::llround(duration_s / step_s);
+}
+
+Case load_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  YamlReader in = YamlReader::load(file, overrides);
+  const std::string name =
+      in.has("name") ? file_name_word(in, "name", in.text("name")) : file.stem().string();
+  const std::uint64_t seed = read_seed(in);
+  Case c{.file = file, .name = name, .turbine = load_turbine(in.path("turbine"))};
+  c.seed = seed;
+  if (in.has("lidar")) c.lidar = read_case_lidar(in.map("lidar"));
+  YamlReader wind = in.map("wind");
+  c.wind = read_wind(wind, {c.turbine.hub_height_m, c.turbine.rotor.radius_m, seed});
+  wind.finish();
+  c.controllers = read_controllers(in);
+  c.time = read_time(in.map("time"));
+  c.outputs = read_outputs(in, name);
+  in.finish();
+  return c;
+}
+
+}  // namespace lac::sim

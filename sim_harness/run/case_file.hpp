@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim_harness/lidar/lidar_fault.hpp"
+#include "sim_harness/lidar/lidar_params.hpp"
+#include "sim_harness/run/wind_case.hpp"
+#include "sim_harness/turbine/turbine_params.hpp"
+
+namespace lac::sim {
+
+struct CaseTime {
+  double duration_s = 660.0;
+  double run_in_s = 60.0;  // not part of the results
+  double step_s = 0.0125;  // of the controller
+
+  std::int64_t steps() const;
+};
+
+struct CaseLidar {
+  LidarParams params;
+  LidarFault fault;
+};
+
+/// One chain that is flown in the wind of the case.
+struct CaseController {
+  std::string name;                  // names its result files
+  std::filesystem::path input_file;  // of the library that the host loads
+  std::string library;               // empty: the master that lies beside this program
+  std::string entry = "DISCON";
+};
+
+struct CaseOutputs {
+  std::filesystem::path folder;
+  bool outb = true;
+  bool csv = true;
+  bool html = true;
+};
+
+/// What `lac run` does: one wind, one turbine, several controllers one after the other. The
+/// first controller is the reference of relative changes.
+struct Case {
+  std::filesystem::path file;
+  std::string name;
+  TurbineParams turbine;
+  std::optional<CaseLidar> lidar = {};
+  WindCase wind = {};
+  std::vector<CaseController> controllers = {};
+  CaseTime time = {};
+  std::uint64_t seed = 1;
+  CaseOutputs outputs = {};
+};
+
+/// Reads a case file; overrides as in YamlReader::load. Paths in it count from its own folder,
+/// but results/<name> (the default) from where the program runs. Throws lac::Error: file, line,
+/// key, found, expected, hint.
+Case load_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace lac::sim

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/run/run_case.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+#include "core/error.hpp"
+#include "sim_harness/output/progress.hpp"
+#include "sim_harness/run/flight.hpp"
+#include "sim_harness/run/outb_reader.hpp"
+#include "sim_harness/run/report.hpp"
+
+namespace lac::sim {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kMostWarningsShown = 20;
+constexpr double kRotorWindStep_s = 0.1;
+
+double seconds_now() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+/// Keeps what a controller says until the progress line is out of the way.
+class Warnings {
+ public:
+  void take(double time_s, const std::string& text) {
+    ++count_;
+    if (count_ <= kMostWarningsShown) lines_ << "  t = " << time_s << " s: " << text << '\n';
+  }
+  void show(const std::string& controller, std::ostream& out) const {
+    if (count_ == 0) return;
+    out << controller << " says:\n" << lines_.str();
+    if (count_ > kMostWarningsShown) {
+      out << "  ... and " << count_ - kMostWarningsShown << " more\n";
+    }
+  }
+
+ private:
+  std::ostringstream lines_;
+  std::size_t count_ = 0;
+};
+
+/// The file a chain writes by itself, beside the root name it is given; a stale one is removed.
+fs::path chain_output_file(const fs::path& root) {
+  fs::path file = root;
+  file += ".lac.outb";
+  return file;
+}
+
+FlownController fly_with_progress(const Case& c, const CaseController& controller,
+                                  const WindField& wind, const RotorWind& rotor_wind) {
+  const fs::path root = c.outputs.folder / controller.name;
+  fs::remove(chain_output_file(root));
+  Progress progress(controller.name);
+  Warnings warnings;
+  FlightReport report;
+  report.on_progress = [&](double done) { progress.update(done); };
+  report.on_warning = [&](double time_s, const std::string& text) { warnings.take(time_s, text); };
+  try {
+    FlownController flown{controller.name, fly(c, controller, wind, rotor_wind, root, report), {}};
+    progress.finish();
+    warnings.show(controller.name, std::cerr);
+    if (fs::exists(chain_output_file(root)))
+      flown.chain_output = read_outb(chain_output_file(root));
+    return flown;
+  } catch (const Error& e) {
+    warnings.show(controller.name, std::cerr);
+    throw Error(controller.name + ": " + e.what());
+  }
+}
+
+void write_recording(const Case& c, const FlownController& flown, std::vector<fs::path>& files) {
+  const std::string description =
+      "lac " + c.name + ", " + flown.name + ": " + c.turbine.name + ", " + describe(c.wind);
+  const auto write = [&](const char* ending) {
+    files.push_back(c.outputs.folder / (flown.name + ending));
+    flown.recording.write(files.back(), description);
+  };
+  if (c.outputs.outb) write(".outb");
+  if (c.outputs.csv) write(".csv");
+  if (flown.chain_output) files.push_back(chain_output_file(c.outputs.folder / flown.name));
+}
+
+RotorWind mean_over_rotor(const Case& c, const WindField& wind) {
+  RotorWindParams p;
+  p.radius_m = c.turbine.rotor.radius_m;
+  p.hub_height_m = c.turbine.hub_height_m;
+  p.t_end_s = c.time.duration_s;
+  p.dt_s = kRotorWindStep_s;
+  return {wind, p};
+}
+
+}  // namespace
+
+CaseResult run_case(const Case& c, std::ostream& out) {
+  std::error_code problem;
+  fs::create_directories(c.outputs.folder, problem);
+  if (problem) {
+    throw Error(c.outputs.folder.string() + ": cannot be created: " + problem.message());
+  }
+  const double start_s = seconds_now();
+  const std::unique_ptr<WindField> wind = make_wind(c.wind);
+  const RotorWind rotor_wind = mean_over_rotor(c, *wind);
+  out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << " (ready in "
+      << duration_text(seconds_now() - start_s) << ")\n"
+      << std::flush;
+
+  CaseResult result;
+  std::vector<FlownController> flights;
+  std::vector<std::string> names;
+  for (const CaseController& controller : c.controllers) {
+    flights.push_back(fly_with_progress(c, controller, *wind, rotor_wind));
+    write_recording(c, flights.back(), result.files);
+    result.figures.push_back(flight_figures(flights.back().recording, c.time.run_in_s));
+    names.push_back(controller.name);
+  }
+  const std::vector<ReportResult> rows = result_rows(result.figures);
+  out << '\n' << result_table(names, rows) << '\n';
+  if (c.outputs.html) {
+    result.files.push_back(c.outputs.folder / (c.name + ".html"));
+    write_html_report(result.files.back(), make_report(c, flights, rows));
+  }
+  for (const fs::path& file : result.files) out << "wrote " << file.string() << '\n';
+  return result;
+}
+
+}  // namespace lac::sim

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program lac as a user meets it: exit codes and texts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "sim_harness/run/outb_reader.hpp"
+#include "sim_harness/run/probe_case.hpp"
+
+namespace lac::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string error;
+};
+
+class LacProgramTest : public ::testing::Test {
+ protected:
+  Outcome lac(const std::string& arguments) {
+    const std::string command = "cd '" + files_.folder.path().string() +
+                                "' && '" LAC_BINARY_DIR "/lac' " + arguments +
+                                " > out.txt 2> error.txt < /dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, files_.folder.read("out.txt"),
+            files_.folder.read("error.txt")};
+  }
+
+  void expect_failure(const std::string& arguments, const std::string& text) {
+    const Outcome o = lac(arguments);
+    EXPECT_EQ(o.exit_code, 1) << arguments;
+    EXPECT_THAT(o.error, AllOf(StartsWith("lac: "), HasSubstr(text), EndsWith("\n")));
+    EXPECT_EQ(o.out, "") << arguments;
+  }
+
+  test::ProbeCase files_;
+};
+
+TEST_F(LacProgramTest, Version) {
+  const Outcome o = lac("--version");
+  EXPECT_EQ(o.exit_code, 0);
+  for (const char* part : {"lac 0.", "SUNDIALS ", "3300", "native lidar", "1101"}) {
+    EXPECT_THAT(o.out, HasSubstr(part));
+  }
+}
+
+TEST_F(LacProgramTest, Help) {
+  for (const char* arguments : {"", "--help", "run --help"}) {
+    const Outcome o = lac(arguments);
+    EXPECT_EQ(o.exit_code, 0) << arguments;
+    EXPECT_THAT(o.out, HasSubstr("Usage: lac")) << arguments;
+  }
+  EXPECT_THAT(lac("run --help").out, HasSubstr("--set"));
+}
+
+// A wrong word says what was meant.
+TEST_F(LacProgramTest, WrongWords) {
+  expect_failure("rum case.yaml", "unknown command 'rum' (did you mean 'run'?)");
+  expect_failure("--versoin", "unknown option '--versoin' (did you mean '--version'?)");
+  expect_failure("run case.yaml --outptu=x", "'--outptu' (did you mean '--output'?)");
+  expect_failure("run", "case is required");
+  expect_failure("run case.yaml more", "unknown word 'more'");
+}
+
+// lac run: table, files where they are asked for, overrides.
+TEST_F(LacProgramTest, Run) {
+  files_.file();
+  const Outcome o = lac("run case.yaml --output elsewhere --set time.duration_s=10");
+  EXPECT_EQ(o.exit_code, 0) << o.error;
+  EXPECT_THAT(o.out, HasSubstr("Rotor speed, maximum"));
+  EXPECT_THAT(o.out, HasSubstr("wrote elsewhere/first.outb"));
+  EXPECT_EQ(read_outb(files_.folder.path() / "elsewhere/first.outb").rows(), 801U);
+  EXPECT_FALSE(fs::exists(files_.folder.path() / "results"));
+}
+
+// Two --set in a row, one of them wrong.
+TEST_F(LacProgramTest, RunWithWrongOverride) {
+  files_.file();
+  expect_failure("run case.yaml --set seed=3 --set wind.speed_mps=fast",
+                 "--set wind.speed_mps=fast: wind.speed_mps: found 'fast', expected a number");
+  expect_failure("run case.yaml --set seed", "--set seed: expected key=value");
+}
+
+TEST_F(LacProgramTest, RunFailures) {
+  expect_failure("run none.yaml", "none.yaml: cannot be read; expected a YAML file");
+  files_.file("speed_mps: 18", "sped: 18");
+  expect_failure("run case.yaml", "case.yaml:6: wind.speed_mps: the key is missing");
+  files_.file("/libhost_probe}", "/libnot_there}");
+  const Outcome o = lac("run case.yaml");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.error, HasSubstr("second: library '" LAC_TOY_DIR "/libnot_there' not found"));
+}
+
+// lac check on the shipped chain: order of calls, who reads and writes what.
+TEST_F(LacProgramTest, Check) {
+  const Outcome o = lac("check '" LAC_SOURCE_DIR "/config/nrel5mw/wrapper_lac.IN'");
+  EXPECT_EQ(o.exit_code, 0) << o.error;
+  EXPECT_LT(o.out.find("liblac_ldp"), o.out.find("liblac_ffp"));
+  EXPECT_LT(o.out.find("liblac_ffp"), o.out.find("liblac_feedback"));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("3303 +LidarRews +ldp +ffp"));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("1101-1320 +native lidar +host +ldp, ti_estimator"));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("3321 +FeedforwardPitchRate +ffp +feedback"));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("20 +GeneratorSpeed +host +feedback"));
+  EXPECT_THAT(o.out, HasSubstr("The chain is ready to fly."));
+}
+
+// Faults of a chain: the master's input, a secondary that is not there, a secondary's own input.
+TEST_F(LacProgramTest, CheckFailures) {
+  expect_failure("check none.IN", "none.IN");
+  const auto chain = [&](const std::string& library, const std::string& input) {
+    files_.folder.write("chain.IN", "\"a\" \"" + library + "\" \"" + input +
+                                        "\" ! Secondary_1 - \nnone ! LidarLayout - \n"
+                                        "none ! OutputFormat - \n");
+    return std::string("check chain.IN");
+  };
+  files_.folder.write("ldp.IN", "1.0 ! ScanTimes - \n");
+  expect_failure(chain("liblac_nothing", "ldp.IN"), "liblac_nothing");
+  expect_failure(chain("liblac_ldp", "gone.IN"), "gone.IN");
+  expect_failure(chain("liblac_ldp", "ldp.IN"), "ldp.IN");
+  files_.folder.write("chain.IN", "none ! LidarLayuot - \n");
+  expect_failure("check chain.IN", "chain.IN");
+}
+
+}  // namespace
+}  // namespace lac::sim

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/lidar/lidar_fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lac::sim {
+namespace {
+
+/// Measurement k of two beams, one a second, speeds 10 k + gate.
+LidarMeasurement measurement(int k) {
+  LidarMeasurement m;
+  m.time_s = k;
+  m.beam_id = k % 2;
+  m.gate_count = 2;
+  m.gates[0] = {50.0, 10.0 * k, true, 0.0};
+  m.gates[1] = {80.0, 10.0 * k + 1.0, true, 0.0};
+  return m;
+}
+
+/// What arrives at time k when the fault lasts from 10 to 20 s.
+struct Arrival {
+  bool is_new = false;
+  LidarMeasurement m;
+};
+Arrival arrival_at(LidarFaultKind kind, int k) {
+  LidarFaultInjector injector({kind, 10.0, 20.0}, 2);
+  Arrival a;
+  for (int i = 0; i <= k; ++i) {
+    a.m = measurement(i);
+    a.is_new = injector.apply(i, a.m, true);
+  }
+  return a;
+}
+
+// Before and after the fault, and without one, everything passes as it is.
+TEST(LidarFaultTest, PassesOutsideOfTheFault) {
+  for (const LidarFaultKind kind :
+       {LidarFaultKind::kNone, LidarFaultKind::kDead, LidarFaultKind::kNotANumber,
+        LidarFaultKind::kStuck, LidarFaultKind::kFrozen, LidarFaultKind::kOutOfRange}) {
+    for (const int k : {9, 20}) {
+      const Arrival a = arrival_at(kind, k);
+      EXPECT_TRUE(a.is_new);
+      EXPECT_EQ(a.m.gates[1].speed_mps, 10.0 * k + 1.0);
+    }
+  }
+  EXPECT_EQ(arrival_at(LidarFaultKind::kNone, 15).m.gates[0].speed_mps, 150.0);
+}
+
+// No measurement at all.
+TEST(LidarFaultTest, Dead) {
+  EXPECT_FALSE(arrival_at(LidarFaultKind::kDead, 10).is_new);
+  EXPECT_FALSE(arrival_at(LidarFaultKind::kDead, 19).is_new);
+}
+
+// Not a number, and 999, under a flag and a validity that claim the opposite.
+TEST(LidarFaultTest, LyingValues) {
+  const Arrival nan = arrival_at(LidarFaultKind::kNotANumber, 12);
+  EXPECT_TRUE(nan.is_new && nan.m.gates[0].valid && std::isnan(nan.m.gates[0].speed_mps));
+  const Arrival off = arrival_at(LidarFaultKind::kOutOfRange, 12);
+  EXPECT_TRUE(off.is_new && off.m.gates[1].valid);
+  EXPECT_EQ(off.m.gates[1].speed_mps, 999.0);
+}
+
+// Stuck: every beam repeats its own last speeds (beam 0: second 8, beam 1: second 9), time goes on.
+TEST(LidarFaultTest, Stuck) {
+  const Arrival even = arrival_at(LidarFaultKind::kStuck, 14);
+  EXPECT_EQ(even.m.gates[0].speed_mps, 80.0);
+  EXPECT_EQ(even.m.beam_id, 0);
+  EXPECT_EQ(even.m.time_s, 14.0);
+  EXPECT_EQ(arrival_at(LidarFaultKind::kStuck, 15).m.gates[0].speed_mps, 90.0);
+}
+
+// Frozen: the last message again and again, its time included.
+TEST(LidarFaultTest, Frozen) {
+  const Arrival a = arrival_at(LidarFaultKind::kFrozen, 14);
+  EXPECT_TRUE(a.is_new);
+  EXPECT_EQ(a.m.gates[0].speed_mps, 90.0);
+  EXPECT_EQ(a.m.beam_id, 1);
+  EXPECT_EQ(a.m.time_s, 9.0);
+}
+
+}  // namespace
+}  // namespace lac::sim

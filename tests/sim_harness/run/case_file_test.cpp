@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/run/case_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "sim_harness/run/probe_case.hpp"
+#include "sim_harness/wind/iec_wind.hpp"
+
+namespace lac::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class CaseFileTest : public ::testing::Test {
+ protected:
+  std::string error_with(const std::string& from, const std::string& to) {
+    try {
+      load_case(files_.file(from, to));
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "none";
+  }
+
+  test::ProbeCase files_;
+};
+
+// Everything that the file says arrives; paths count from the folder of the case.
+TEST_F(CaseFileTest, ReadsACase) {
+  const Case c = load_case(files_.file());
+  EXPECT_EQ(c.name, "case");
+  EXPECT_EQ(c.turbine.name, "NREL 5 MW");
+  EXPECT_EQ(c.time.steps(), 1600);
+  EXPECT_EQ(c.time.run_in_s, 5.0);
+  EXPECT_EQ(c.seed, 1U);
+  EXPECT_FALSE(c.lidar.has_value());
+  ASSERT_EQ(c.controllers.size(), 2U);
+  EXPECT_EQ(c.controllers[1].name, "second");
+  EXPECT_EQ(c.controllers[0].input_file, files_.folder.path() / "probe.in");
+  EXPECT_EQ(c.outputs.folder, files_.folder.path() / "results");
+  EXPECT_TRUE(c.outputs.outb && c.outputs.csv && c.outputs.html);
+}
+
+// Without outputs.folder results go to results/<name> of where the program runs, without library
+// the master beside the program flies.
+TEST_F(CaseFileTest, Defaults) {
+  EXPECT_EQ(load_case(files_.file("  folder: results\n", "  csv: no\n")).outputs.folder,
+            fs::path("results") / "case");
+  const Case c = load_case(files_.file("    library: " LAC_TOY_DIR "/libhost_probe\n", ""));
+  EXPECT_EQ(c.controllers[0].library, "");
+}
+
+// Overrides reach every value.
+TEST_F(CaseFileTest, Overrides) {
+  const Case c = load_case(files_.file(), {"wind.speed_mps=12", "seed=7", "time.duration_s=30",
+                                           "controllers.1.name=other"});
+  EXPECT_EQ(std::get<SteadySpeed>(std::get<UniformWindParams>(c.wind).speed).speed_mps, 12.0);
+  EXPECT_EQ(c.seed, 7U);
+  EXPECT_EQ(c.time.duration_s, 30.0);
+  EXPECT_EQ(c.controllers[1].name, "other");
+}
+
+// Faults, each with its place and what was meant.
+TEST_F(CaseFileTest, Faults) {
+  EXPECT_THAT(error_with("speed_mps: 18", "speed_mps: fast"),
+              EndsWith("case.yaml:7: wind.speed_mps: found 'fast', expected a number"));
+  EXPECT_THAT(error_with("speed_mps: 18", "sped_mps: 18"),
+              EndsWith(":6: wind.speed_mps: the key is missing; is 'sped_mps' meant to be it?"));
+  EXPECT_THAT(
+      error_with("kind: steady", "kind: stormy"),
+      HasSubstr(":6: wind.kind: found 'stormy', expected steady, step, eog, kaimal or bts"));
+  EXPECT_THAT(error_with("run_in_s: 5", "run_in_s: 20"),
+              EndsWith(":4: time.run_in_s: expected a time before duration_s"));
+  EXPECT_THAT(error_with("duration_s: 20", "duration_s: 20.001"),
+              EndsWith(":3: time.duration_s: expected a multiple of step_s"));
+  EXPECT_THAT(error_with("name: second", "name: first"),
+              HasSubstr(":12: controllers.1.name: found 'first' twice"));
+  EXPECT_THAT(error_with("name: second", "name: a/b"), HasSubstr("letters, digits"));
+  EXPECT_THAT(error_with("outputs:", "output:"),
+              EndsWith(":13: output: unknown key (did you mean 'outputs'?)"));
+  EXPECT_THAT(error_with("wind:", "winds:"),
+              HasSubstr("wind: the key is missing; is 'winds' meant to be it?"));
+  EXPECT_THAT(error_with("turbine.yaml", "turbin.yaml"), HasSubstr("turbin.yaml"));
+}
+
+WindCase wind_of(test::ProbeCase& files, const std::string& keys) {
+  return load_case(files.file("  kind: steady\n  speed_mps: 18\n", keys)).wind;
+}
+
+// The kinds of wind; IEC values come from the class, V_gust and sigma as in the standard.
+TEST_F(CaseFileTest, KindsOfWind) {
+  const auto step = std::get<UniformWindParams>(
+      wind_of(files_, "  {kind: step, from_mps: 10, to_mps: 12, time_s: 8, ramp_s: 2}\n"));
+  EXPECT_EQ(std::get<StepSpeed>(step.speed).ramp_s, 2.0);
+  const auto gust = std::get<UniformWindParams>(
+      wind_of(files_, "  {kind: eog, mean_speed_mps: 18, start_s: 8, wind_class: II}\n"));
+  EXPECT_DOUBLE_EQ(std::get<GustSpeed>(gust.speed).magnitude_mps,
+                   eog_magnitude_mps({WindClass::kII, TurbulenceCategory::kA}, 18.0, 90.0, 126.0));
+  const auto kaimal = std::get<KaimalFieldParams>(
+      wind_of(files_, "  {kind: kaimal, mean_speed_mps: 18, turbulence_category: B}\n"));
+  EXPECT_NEAR(kaimal.model.u.sigma_mps, 0.14 * (0.75 * 18.0 + 5.6), 1e-12);
+  EXPECT_EQ(kaimal.seed, 1U);
+  const auto bts = std::get<BtsWind>(wind_of(files_, "  {kind: bts, file: a/b.bts}\n"));
+  EXPECT_EQ(bts.file, files_.folder.path() / "a/b.bts");
+  EXPECT_EQ(describe(WindCase(kaimal)),
+            "Kaimal turbulence, 18 m/s, standard deviation 2.674 m/s, seed 1");
+}
+
+// A lidar from a file of its own or written out, with a fault.
+TEST_F(CaseFileTest, Lidar) {
+  const auto lidar = [&](const std::string& keys) {
+    return load_case(files_.file("outputs:", "lidar:" + keys + "\noutputs:")).lidar;
+  };
+  const auto from_file = lidar(
+      " {file: " LAC_SOURCE_DIR
+      "/config/lidars/four_beam_pulsed.yaml, fault: {kind: stuck, start_s: 200, end_s: 250}}");
+  EXPECT_EQ(from_file->params.beams.size(), 4U);
+  EXPECT_EQ(from_file->fault.kind, LidarFaultKind::kStuck);
+  EXPECT_EQ(from_file->fault.end_s, 250.0);
+  const auto written = lidar(
+      " {beam_azimuth_deg: [0], beam_elevation_deg: [0], gates_m: [80], gates_along: beam, "
+      "beam_time_s: 1, fwhm_m: 0}");
+  EXPECT_EQ(written->params.gates_m.size(), 1U);
+  EXPECT_EQ(written->fault.kind, LidarFaultKind::kNone);
+  EXPECT_THAT(error_with("outputs:", "lidar: {file: none.yaml}\noutputs:"),
+              HasSubstr("none.yaml: cannot be read"));
+}
+
+}  // namespace
+}  // namespace lac::sim

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/run/run_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "core/error.hpp"
+#include "sim_harness/run/probe_case.hpp"
+
+namespace lac::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class RunCaseTest : public ::testing::Test {
+ protected:
+  CaseResult run(const std::vector<std::string>& overrides = {}) {
+    return run_case(load_case(files_.file(), overrides), out_);
+  }
+
+  test::ProbeCase files_;
+  std::ostringstream out_;
+};
+
+// One table and, per controller, .outb and CSV, and one page.
+TEST_F(RunCaseTest, WritesItsFiles) {
+  const CaseResult result = run();
+  EXPECT_EQ(result.figures.size(), 2U);
+  EXPECT_EQ(result.files.size(), 5U);
+  for (const char* name : {"first.outb", "first.csv", "second.outb", "second.csv", "case.html"}) {
+    EXPECT_TRUE(fs::exists(files_.folder.path() / "results" / name)) << name;
+  }
+  EXPECT_THAT(out_.str(), HasSubstr("Rotor speed, standard deviation"));
+  EXPECT_THAT(out_.str(), HasSubstr("change"));
+  EXPECT_THAT(files_.folder.read("results/first.csv"),
+              HasSubstr("Time [s],RtVAvgxh [m/s],WindHubVelH [m/s],RotSpeed [rpm]"));
+}
+
+TEST_F(RunCaseTest, OnlyTheFilesThatAreAskedFor) {
+  run({"outputs.csv=no", "outputs.html=no"});
+  EXPECT_TRUE(fs::exists(files_.folder.path() / "results/first.outb"));
+  EXPECT_FALSE(fs::exists(files_.folder.path() / "results/first.csv"));
+  EXPECT_FALSE(fs::exists(files_.folder.path() / "results/case.html"));
+}
+
+// The same case twice gives the same files, to the last byte: turbulence and lidar on.
+TEST_F(RunCaseTest, Deterministic) {
+  const std::vector<std::string> overrides{
+      "wind={kind: kaimal, mean_speed_mps: 18, period_s: 40, points_across: 15, points_up: 15}",
+      "lidar={file: " LAC_SOURCE_DIR "/config/lidars/four_beam_pulsed.yaml}"};
+  run(overrides);
+  const std::string csv = files_.folder.read("results/second.csv");
+  const std::string outb = files_.folder.read("results/first.outb");
+  const std::string html = files_.folder.read("results/case.html");
+  run(overrides);
+  EXPECT_GT(csv.size(), 100000U);
+  EXPECT_TRUE(csv == files_.folder.read("results/second.csv"));
+  EXPECT_TRUE(outb == files_.folder.read("results/first.outb"));
+  EXPECT_TRUE(html == files_.folder.read("results/case.html"));
+}
+
+// A failing controller is named; what the one before it gave stays.
+TEST_F(RunCaseTest, FailingController) {
+  files_.folder.write("other.in", "quiet 1\nfail_at 4\n");
+  try {
+    run();
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("second: controller libhost_probe.so ended the run at t = "
+                                    "0.05 s: probe: told to fail"));
+  }
+  EXPECT_TRUE(fs::exists(files_.folder.path() / "results/first.outb"));
+  EXPECT_FALSE(fs::exists(files_.folder.path() / "results/second.outb"));
+}
+
+// A lidar that looks out of the wind field is refused before the flight.
+TEST_F(RunCaseTest, LidarOutsideOfTheField) {
+  try {
+    run(
+        {"wind={kind: kaimal, mean_speed_mps: 18, period_s: 40, points_across: 15, "
+         "points_up: 15, width_m: 130}",
+         "lidar={file: " LAC_SOURCE_DIR "/config/lidars/four_beam_pulsed.yaml, tilt_deg: 0}"});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("tilt_deg"));  // keys beside a file are refused
+  }
+  try {
+    run(
+        {"wind={kind: kaimal, mean_speed_mps: 18, period_s: 40, points_across: 15, "
+         "points_up: 15}",
+         "lidar={beam_azimuth_deg: [30], beam_elevation_deg: [0], gates_m: [170], gates_along: "
+         "axis, beam_time_s: 0.25, fwhm_m: 30}"});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("beam 1, gate 1"));
+  }
+}
+
+}  // namespace
+}  // namespace lac::sim
