@@ -81,8 +81,10 @@ bool LidarReader::fetch(SwapView swap, double time_s, State& state, LidarMeasure
   if (params_.layout == LidarLayout::Native) {
     if (!native_lidar_present(swap)) {
       if (!state.layout_reported) {
-        notice.warn("lidar: record %d is not %d: the host fills no native lidar block",
-                    kNativeLidarBlock.first, native_lidar::kLayoutVersion);
+        notice.warn(
+            "lidar: record %d is not %d: the host fills no native lidar block, or the master "
+            "does not pass it on (its key LidarLayout)",
+            kNativeLidarBlock.first, native_lidar::kLayoutVersion);
       }
       state.layout_reported = true;
       return false;

@@ -14,7 +14,7 @@ void Feedback::State::visit(StateArchive& a) {
 }
 
 Feedback::Feedback(const FeedbackParams& params, double time_step_s)
-    : params_((params.check_time_step(time_step_s), params)),
+    : params_(params),
       time_step_s_(time_step_s),
       speed_filter_(params.speed, time_step_s),
       fading_(params.fading, time_step_s),
@@ -84,7 +84,9 @@ void Feedback::advance(const Inputs& in, State& state, Events& events) const noe
 
 void Feedback::move_power_level(std::optional<double> wanted, State& state,
                                 Events& events) const noexcept {
-  const bool bad = wanted && !(*wanted >= 0.0 && *wanted <= params_.max_power_level);
+  // Records are single precision: a level of 1.1 arrives as 1.10000002.
+  constexpr double kRounding = 1e-6;
+  const bool bad = wanted && !(*wanted >= 0.0 && *wanted <= params_.max_power_level + kRounding);
   events.power_level_lost = bad && !state.power_level_bad;
   state.power_level_bad = bad;
   const double target = wanted && !bad ? *wanted : 1.0;

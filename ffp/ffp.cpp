@@ -11,6 +11,18 @@ namespace {
 
 // The schedule is looked up again when the mean wind has moved by this much.
 constexpr double kScheduleStep_mps = 0.01;
+// A lead that was too short must have this much to spare to be used again.
+constexpr double kLeadToSpare_s = 0.1;
+// A lead that moves by more in one step has changed its gate.
+constexpr double kGateChange_s = 0.2;
+// The start of the low-pass has died out to e^-2 after this many of its time constants.
+constexpr double kSettledTimeConstants = 2.0;
+// Without wind the last rate is not worth much: it leaves quickly, but without a jerk.
+constexpr double kLossFade_s = 0.5;
+
+bool is_on(FfpReason reason) {
+  return reason == FfpReason::None || reason == FfpReason::RateLimited;
+}
 
 }  // namespace
 
@@ -30,6 +42,8 @@ const char* text_of(FfpReason reason) {
       return "the wind speed is below ThresholdSpeed";
     case FfpReason::RateLimited:
       return "the rate is cut to MaximumRate";
+    case FfpReason::OutsideCurve:
+      return "the wind speed is outside the static pitch curve";
   }
   return "unknown";
 }
@@ -67,37 +81,55 @@ void Ffp::schedule(double mean_speed_mps, State& s) const noexcept {
 void Ffp::forget_wind(State& s) const noexcept {
   s.low_pass = {};
   s.line.clear();
-  s.has_previous = false;
+  s.running_s = 0.0;
   s.buffer_started = false;
   s.above_threshold = false;
 }
 
 FfpReason Ffp::update_wind(const Inputs& in, State& s, Outputs& out) const noexcept {
+  if (std::isfinite(in.mean_speed_mps)) {
+    schedule(in.mean_speed_mps, s);
+    out.cutoff_hz = s.cutoff_hz;
+    out.lead_needed_s = s.filter_and_actuator_s + 0.5 * in.window_s - params_.buffer_trim_s;
+  }
   if (!in.valid || !std::isfinite(in.rews_mps) || !std::isfinite(in.mean_speed_mps)) {
     forget_wind(s);
     return FfpReason::NoWind;
   }
-  schedule(in.mean_speed_mps, s);
-  out.cutoff_hz = s.cutoff_hz;
   out.filtered_mps = s.low_pass.step(in.rews_mps, s.filter_factor);
   s.line.push(out.filtered_mps);
+  s.running_s += time_step_s_;
+  return update_buffer(in, s, out);
+}
 
-  const double wanted_s =
-      in.lead_s - s.filter_and_actuator_s - 0.5 * in.window_s + params_.buffer_trim_s;
-  if (!s.buffer_started) s.buffer_time_s = wanted_s;
+FfpReason Ffp::update_buffer(const Inputs& in, State& s, Outputs& out) const noexcept {
+  const double wanted_s = in.lead_s - out.lead_needed_s;
+  const bool gate_changed = std::abs(in.lead_s - s.last_lead_s) > kGateChange_s;
+  if (!s.buffer_started) {
+    s.buffer_time_s = wanted_s;
+  } else if (gate_changed) {  // what comes in is another part of the wind: no rate out of the jump
+    s.buffer_time_s += in.lead_s - s.last_lead_s;
+    s.has_previous = false;
+  }
   s.buffer_started = true;
+  s.last_lead_s = in.lead_s;
   s.buffer_time_s +=
       (wanted_s - s.buffer_time_s) * time_step_s_ / (params_.buffer_time_constant_s + time_step_s_);
   out.buffer_time_s = s.buffer_time_s;
-  if (wanted_s < 0.0 || s.buffer_time_s < 0.0) return FfpReason::LeadTooShort;
+  s.lead_short = wanted_s < (s.lead_short ? kLeadToSpare_s : 0.0);
+  if (s.lead_short || s.buffer_time_s < 0.0) return FfpReason::LeadTooShort;
   if (s.buffer_time_s > params_.longest_buffer_s) return FfpReason::BufferTooLong;
-  if (!s.line.holds(s.buffer_time_s)) return FfpReason::Filling;
+  const double settling_s = kSettledTimeConstants / radps_from_hz(s.cutoff_hz);
+  if (!s.line.holds(s.buffer_time_s) || s.running_s < s.buffer_time_s + settling_s) {
+    return FfpReason::Filling;
+  }
   out.buffered_mps = s.line.at(s.buffer_time_s);
   return FfpReason::None;
 }
 
 FfpReason Ffp::update_pitch(State& s, Outputs& out) const noexcept {
-  out.pitch_rad = params_.static_pitch_rad.at(out.buffered_mps);
+  const LookupTable& curve = params_.static_pitch_rad;
+  out.pitch_rad = curve.at(out.buffered_mps);
   const double rate = s.has_previous ? (out.pitch_rad - s.previous_pitch_rad) / time_step_s_ : 0.0;
   s.previous_pitch_rad = out.pitch_rad;
   s.has_previous = true;
@@ -106,12 +138,17 @@ FfpReason Ffp::update_pitch(State& s, Outputs& out) const noexcept {
   const double margin = s.above_threshold ? params_.hysteresis_mps : 0.0;
   s.above_threshold = out.buffered_mps > params_.threshold_mps - margin;
   if (!s.above_threshold) return FfpReason::BelowThreshold;
+  if (out.buffered_mps < curve.x().front() || out.buffered_mps > curve.x().back()) {
+    return FfpReason::OutsideCurve;
+  }
   return s.last_rate_radps == rate ? FfpReason::None : FfpReason::RateLimited;
 }
 
-void Ffp::fade(bool on, State& s) const noexcept {
-  const double change = time_step_s_ / params_.fade_time_s;
-  s.active = std::clamp(s.active + (on ? change : -change), 0.0, 1.0);
+void Ffp::fade(FfpReason reason, State& s) const noexcept {
+  const double time_s = reason == FfpReason::NoWind ? std::min(kLossFade_s, params_.fade_time_s)
+                                                    : params_.fade_time_s;
+  const double change = time_step_s_ / time_s;
+  s.active = std::clamp(s.active + (is_on(reason) ? change : -change), 0.0, 1.0);
 }
 
 Ffp::Outputs Ffp::step(const Inputs& in, State& s) const noexcept {
@@ -122,7 +159,7 @@ Ffp::Outputs Ffp::step(const Inputs& in, State& s) const noexcept {
   } else {
     s.has_previous = false;
   }
-  fade(out.reason == FfpReason::None || out.reason == FfpReason::RateLimited, s);
+  fade(out.reason, s);
   out.active = s.active;
   out.rate_radps = s.active * s.last_rate_radps;
   return out;

@@ -18,6 +18,7 @@ enum class FfpReason {
   BufferTooLong = 4,   // LongestBuffer is exceeded
   BelowThreshold = 5,  // wind speed below ThresholdSpeed
   RateLimited = 6,     // on, but the rate is cut to MaximumRate
+  OutsideCurve = 7,    // wind speed outside the static pitch curve
 };
 
 const char* text_of(FfpReason reason);
@@ -35,7 +36,8 @@ double actuator_delay_s(double actuator_hz, double damping, double frequency_hz)
 ///   theta_FF = theta_ss(u_LL filtered, T_buffer ago),  rate = d theta_FF/dt by differences (37,
 ///   38)
 ///
-/// The rate is faded in and out linearly; whatever makes it go off is in `reason`.
+/// The rate is faded in and out linearly; whatever makes it go off is in `reason`. After wind was
+/// lost the low-pass starts anew and has to settle before its output is used.
 class Ffp {
  public:
   struct Inputs {
@@ -54,6 +56,7 @@ class Ffp {
     double buffered_mps = std::numeric_limits<double>::quiet_NaN();
     double buffer_time_s = std::numeric_limits<double>::quiet_NaN();
     double cutoff_hz = 0.0;
+    double lead_needed_s = 0.0;  // by filter, actuator and window; 0 while unknown
   };
   struct State {
     LowPass1 low_pass;
@@ -69,10 +72,14 @@ class Ffp {
     bool above_threshold = false;
     double active = 0.0;
     double last_rate_radps = 0.0;  // faded out from when the wind is lost
+    double last_lead_s = 0.0;
+    double running_s = 0.0;  // since the low-pass started
+    bool lead_short = false;
     void visit(StateArchive& a) {
       a(low_pass), a(line), a(scheduled_at_mps), a(cutoff_hz), a(filter_factor);
       a(filter_and_actuator_s), a(buffer_time_s), a(buffer_started), a(previous_pitch_rad);
-      a(has_previous), a(above_threshold), a(active), a(last_rate_radps);
+      a(has_previous), a(above_threshold), a(active), a(last_rate_radps), a(last_lead_s);
+      a(running_s), a(lead_short);
     }
   };
 
@@ -83,9 +90,10 @@ class Ffp {
  private:
   void schedule(double mean_speed_mps, State& s) const noexcept;
   FfpReason update_wind(const Inputs& in, State& s, Outputs& out) const noexcept;
+  FfpReason update_buffer(const Inputs& in, State& s, Outputs& out) const noexcept;
   FfpReason update_pitch(State& s, Outputs& out) const noexcept;
   void forget_wind(State& s) const noexcept;
-  void fade(bool on, State& s) const noexcept;
+  void fade(FfpReason reason, State& s) const noexcept;
 
   FfpParams params_;
   double time_step_s_;

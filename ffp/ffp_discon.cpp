@@ -20,23 +20,27 @@ class FfpModule final : public DisconModule {
     in.window_s = swap.get(Rec::LidarScanWindow);
     in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
     const Ffp::Outputs out = ffp_.step(in, state_);
-    report(out.reason, notice);
+    report(in, out, notice);
     write(out, swap);
   }
 
   void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_); }
 
  private:
-  /// Passing below the threshold and filling the buffer are daily life; the rest is told.
-  void report(FfpReason reason, Notice& notice) noexcept {
-    if (reason == last_) return;
-    last_ = reason;
-    const bool worth_telling = reason == FfpReason::LeadTooShort ||
-                               reason == FfpReason::BufferTooLong ||
-                               (reason == FfpReason::NoWind && was_on_);
-    if (worth_telling) notice.warn("feedforward off: %s", text_of(reason));
-    if (reason == FfpReason::RateLimited) notice.warn("feedforward: %s", text_of(reason));
-    was_on_ = was_on_ || reason == FfpReason::None;
+  /// Passing the threshold and filling the buffer are daily life; the rest is told.
+  void report(const Ffp::Inputs& in, const Ffp::Outputs& out, Notice& notice) noexcept {
+    if (out.reason == last_) return;
+    last_ = out.reason;
+    if (out.reason == FfpReason::LeadTooShort) {
+      notice.warn("feedforward off: %s: %.2f s, needed %.2f s", text_of(out.reason), in.lead_s,
+                  out.lead_needed_s);
+    } else if (out.reason == FfpReason::BufferTooLong || out.reason == FfpReason::OutsideCurve ||
+               (out.reason == FfpReason::NoWind && was_on_)) {
+      notice.warn("feedforward off: %s", text_of(out.reason));
+    } else if (out.reason == FfpReason::RateLimited) {
+      notice.warn("feedforward: %s", text_of(out.reason));
+    }
+    was_on_ = was_on_ || out.reason == FfpReason::None;
   }
 
   static void write(const Ffp::Outputs& out, SwapView& swap) noexcept {
@@ -48,6 +52,7 @@ class FfpModule final : public DisconModule {
     swap.set(Rec::RewsBuffered, out.buffered_mps);
     swap.set(Rec::FeedforwardBufferTime, out.buffer_time_s);
     swap.set(Rec::FeedforwardCutOff, out.cutoff_hz);
+    swap.set(Rec::FeedforwardLeadNeeded, out.lead_needed_s);
   }
 
   Ffp ffp_;
@@ -64,9 +69,10 @@ const char* module_name() {
 
 std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
   InputFile in = InputFile::load(start.input_file);
-  auto module = std::make_unique<FfpModule>(FfpParams::read(in), start.time_step_s);
+  FfpParams params = FfpParams::read(in);
+  params.check_time_step(in, start.time_step_s);
   require_chain_block(swap);
-  return module;
+  return std::make_unique<FfpModule>(std::move(params), start.time_step_s);
 }
 
 }  // namespace lac

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ffp/ffp_params.hpp"
 
+#include <algorithm>
+
 #include "core/units.hpp"
 
 namespace lac {
@@ -8,14 +10,16 @@ namespace lac {
 FfpParams FfpParams::read(InputFile& in) {
   FfpParams p;
   const Range positive = Range::positive();
+  const Range fade_s{0.0, 600.0, false};
   const Range not_negative = Range::not_negative();
   p.cutoff_hz = read_table(in, "CutOffWindSpeed", "CutOffFrequency", 1.0, positive);
   p.delay_frequency_hz = in.number("DelayFrequency", p.delay_frequency_hz, not_negative);
-  p.actuator_frequency_hz = in.number("ActuatorFrequency", p.actuator_frequency_hz, not_negative);
-  p.actuator_damping = in.number("ActuatorDamping", p.actuator_damping, positive);
+  p.actuator_frequency_hz =
+      in.number("ActuatorFrequency", p.actuator_frequency_hz, Range::between(0.0, 100.0));
+  p.actuator_damping = in.number("ActuatorDamping", p.actuator_damping, {0.0, 10.0, false});
   p.buffer_trim_s = in.number("BufferTrim", p.buffer_trim_s, Range::between(-60.0, 60.0));
   p.buffer_time_constant_s =
-      in.number("BufferTimeConstant", p.buffer_time_constant_s, not_negative);
+      in.number("BufferTimeConstant", p.buffer_time_constant_s, Range::between(0.0, 3600.0));
   p.longest_buffer_s = in.number("LongestBuffer", p.longest_buffer_s, Range::between(0.0, 600.0));
   p.static_pitch_rad =
       read_table(in, "StaticWind", "StaticPitch", rad_from_deg(1.0), Range::between(-10.0, 90.0));
@@ -27,13 +31,35 @@ FfpParams FfpParams::read(InputFile& in) {
                                  " deg) falls, expected a curve that never falls");
     }
   }
-  p.threshold_mps = in.number("ThresholdSpeed", p.threshold_mps, not_negative);
+  p.threshold_mps = in.number("ThresholdSpeed", p.threshold_mps, Range::between(0.0, 100.0));
   p.hysteresis_mps = in.number("Hysteresis", p.hysteresis_mps, not_negative);
-  p.fade_time_s = in.number("FadeTime", p.fade_time_s, positive);
+  if (p.hysteresis_mps > p.threshold_mps) {
+    in.fail("Hysteresis", "found " + std::to_string(p.hysteresis_mps) +
+                              " m/s, expected no more than ThresholdSpeed, " +
+                              std::to_string(p.threshold_mps) + ": it would never go off");
+  }
+  p.fade_time_s = in.number("FadeTime", p.fade_time_s, fade_s);
   p.max_rate_radps =
       rad_from_deg(in.number("MaximumRate", deg_from_rad(p.max_rate_radps), positive));
   in.finish();
   return p;
+}
+
+void FfpParams::check_time_step(const InputFile& in, double time_step_s) const {
+  const double nyquist_hz = 0.5 / time_step_s;
+  const auto require_below_nyquist = [&](const char* key, double frequency_hz) {
+    if (frequency_hz < nyquist_hz) return;
+    in.fail(key, "found " + std::to_string(frequency_hz) + " Hz, expected less than " +
+                     std::to_string(nyquist_hz) + " Hz, half the rate at which the host calls");
+  };
+  const std::vector<double>& cutoff = cutoff_hz.y();
+  require_below_nyquist("CutOffFrequency", *std::max_element(cutoff.begin(), cutoff.end()));
+  require_below_nyquist("DelayFrequency", delay_frequency_hz);
+  if (fade_time_s < time_step_s) {
+    in.fail("FadeTime", "found " + std::to_string(fade_time_s) +
+                            " s, expected at least one step of " + std::to_string(time_step_s) +
+                            " s: it would be a jump");
+  }
 }
 
 }  // namespace lac

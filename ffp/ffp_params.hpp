@@ -34,6 +34,9 @@ struct FfpParams {
 
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static FfpParams read(InputFile& in);
+
+  /// Refuses what makes no sense at this time step. Throws lac::Error with file, line and key.
+  void check_time_step(const InputFile& in, double time_step_s) const;
 };
 
 }  // namespace lac

@@ -8,9 +8,9 @@ namespace lac {
 namespace {
 
 constexpr double kSlowestTravel_mps = 1.0;  // below it a lead time means nothing
-// A gate nearer than those in use is taken only with this much more than the required lead, so
-// that the nearest gate does not change to and fro with the mean wind speed.
-constexpr double kLeadMargin = 1.15;
+// A gate nearer than those in use is taken only with this factor on the required lead, so that the
+// nearest gate does not change to and fro with the mean wind speed.
+constexpr double kNearerGate = 1.05;
 constexpr double kSameGate_m = 2.0;  // the tower top moves
 
 std::int64_t round_to_step(double time_s, double time_step_s) {
@@ -28,6 +28,9 @@ Ldp::State Ldp::initial_state() const {
   State s;
   s.bins = ArrivalBins(static_cast<std::size_t>(std::ceil(params_.longest_lead_s / time_step_s_)) +
                        static_cast<std::size_t>(window_steps_) + 2);
+  const auto beams = static_cast<std::size_t>(params_.reader.number_of_beams);
+  s.nearest_of_beam_m.assign(beams, 0.0);
+  s.last_of_beam_s.assign(beams, std::numeric_limits<double>::quiet_NaN());
   return s;
 }
 
@@ -66,13 +69,15 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   const double travel_mps = state.mean_speed.mean();
   if (travel_mps < kSlowestTravel_mps) return;
 
+  note_scan(m, state);
+  const double allowed_m = nearest_allowed_m(in, state);
+  const double for_nearer = settled(state) ? kNearerGate : 1.0;
   double nearest_m = std::numeric_limits<double>::infinity();
   for (int g = 0; g < m.gate_count; ++g) {
     const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
     const double ahead_m = -(m.position_I_m.x + gate.range_m * p.beam_x_I);
-    const double required_m = params_.required_lead_s * travel_mps;
-    const bool in_use = state.nearest_gate_m <= 0.0 || ahead_m > state.nearest_gate_m - kSameGate_m;
-    if (!(ahead_m > 0.0) || ahead_m < (in_use ? required_m : kLeadMargin * required_m)) continue;
+    const bool in_use = ahead_m > state.nearest_gate_m - kSameGate_m;
+    if (!(ahead_m > 0.0) || ahead_m < (in_use ? 1.0 : for_nearer) * allowed_m) continue;
     nearest_m = std::min(nearest_m, ahead_m);
     if (!gate.valid) continue;
     const auto arrival = round_to_step(m.time_s + ahead_m / travel_mps, time_step_s_);
@@ -80,7 +85,27 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
       state.last_sample_s = in.time_s;
     }
   }
-  if (std::isfinite(nearest_m)) state.nearest_gate_m = nearest_m;
+  if (!std::isfinite(nearest_m)) return;
+  state.nearest_of_beam_m[static_cast<std::size_t>(m.beam_id)] = nearest_m;
+  state.nearest_gate_m = *std::ranges::max_element(state.nearest_of_beam_m);
+}
+
+double Ldp::nearest_allowed_m(const Inputs& in, const State& state) const noexcept {
+  const double needed_s = in.lead_needed_s > 0.0 ? in.lead_needed_s + params_.lead_margin_s : 0.0;
+  return std::max(params_.required_lead_s, needed_s) * state.mean_speed.mean();
+}
+
+void Ldp::note_scan(const LidarMeasurement& m, State& state) const noexcept {
+  double& last_s = state.last_of_beam_s[static_cast<std::size_t>(m.beam_id)];
+  const double since_s = m.time_s - last_s;
+  const bool shorter = state.scan_time_s == 0.0 || since_s < state.scan_time_s;
+  if (std::isfinite(since_s) && shorter) state.scan_time_s = since_s;
+  last_s = m.time_s;
+}
+
+bool Ldp::settled(const State& state) const noexcept {
+  return state.mean_speed.elapsed_s() >=
+         std::min(params_.settling_time_s, params_.mean_speed_window_s);
 }
 
 Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
@@ -90,6 +115,7 @@ Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
 
   Outputs out;
   out.data_age_s = in.time_s - state.last_sample_s;
+  out.scan_time_s = state.scan_time_s;
   if (!state.mean_speed.started()) return out;
   out.mean_speed_mps = state.mean_speed.mean();
   if (state.nearest_gate_m <= 0.0 || out.mean_speed_mps < kSlowestTravel_mps) return out;
@@ -101,8 +127,7 @@ Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
   out.samples = state.bins.count();
   if (out.samples > 0) out.rews_mps = state.bins.mean_mps();
   out.valid = out.samples >= params_.minimum_samples && out.data_age_s <= params_.maximum_age_s &&
-              state.mean_speed.elapsed_s() >=
-                  std::min(params_.settling_time_s, params_.mean_speed_window_s);
+              settled(state);
   return out;
 }
 

@@ -24,6 +24,7 @@ class Ldp {
   struct Inputs {
     const LidarMeasurement* measurement = nullptr;  // nullptr: nothing new in this step
     double time_s = 0.0;                            // a whole number of time steps
+    double lead_needed_s = 0.0;  // by what comes behind; not a number counts as 0
   };
   struct Outputs {
     double rews_mps = std::numeric_limits<double>::quiet_NaN();
@@ -31,16 +32,21 @@ class Ldp {
     int samples = 0;
     bool valid = false;
     double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();  // U
-    double data_age_s = 0.0;  // since the last valid sample
+    double data_age_s = 0.0;   // since the last valid sample
+    double scan_time_s = 0.0;  // shortest time between two measurements of one beam; 0: unknown
   };
   struct State {
     ArrivalBins bins;
     SlowMean mean_speed;
-    double nearest_gate_m = 0.0;  // distance of the nearest gate in use
+    double nearest_gate_m = 0.0;  // distance of the nearest gate that all beams have in use
+    std::vector<double> nearest_of_beam_m;
+    std::vector<double> last_of_beam_s;  // not a number before the first one
+    double scan_time_s = 0.0;
     double last_sample_s = -1.0e30;
     double last_measurement_s = 0.0;
     void visit(StateArchive& a) {
-      a(bins), a(mean_speed), a(nearest_gate_m), a(last_sample_s), a(last_measurement_s);
+      a(bins), a(mean_speed), a(nearest_gate_m), a(nearest_of_beam_m), a(last_of_beam_s);
+      a(scan_time_s), a(last_sample_s), a(last_measurement_s);
     }
   };
 
@@ -59,6 +65,9 @@ class Ldp {
 
  private:
   void take_in(const Inputs& in, State& state) const noexcept;
+  double nearest_allowed_m(const Inputs& in, const State& state) const noexcept;
+  void note_scan(const LidarMeasurement& m, State& state) const noexcept;
+  bool settled(const State& state) const noexcept;
   void update_mean_speed(const LidarMeasurement& m, const Projection& p,
                          State& state) const noexcept;
 

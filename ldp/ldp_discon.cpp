@@ -21,6 +21,7 @@ class LdpModule final : public DisconModule {
   void step(SwapView swap, double time_s, Notice& notice) noexcept override {
     Ldp::Inputs in;
     in.time_s = time_s;
+    in.lead_needed_s = swap.get(Rec::FeedforwardLeadNeeded);  // written in the step before
     if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
       in.measurement = &measurement_;
     }
@@ -29,7 +30,9 @@ class LdpModule final : public DisconModule {
     write(out, swap);
   }
 
-  void visit_state(StateArchive& a) override { a(state_), a(reader_state_), a(was_valid_); }
+  void visit_state(StateArchive& a) override {
+    a(state_), a(reader_state_), a(was_valid_), a(scan_reported_);
+  }
 
  private:
   void report(const Ldp::Outputs& out, Notice& notice) noexcept {
@@ -39,6 +42,12 @@ class LdpModule final : public DisconModule {
           out.samples, out.data_age_s);
     }
     was_valid_ = out.valid;
+    if (!out.valid || scan_reported_ || out.scan_time_s <= 1.1 * scan_time_s_) return;
+    notice.warn(
+        "the lidar comes back to a beam after %.3g s, ScanTime says %.3g s: its average misses "
+        "beams",
+        out.scan_time_s, scan_time_s_);
+    scan_reported_ = true;
   }
 
   void write(const Ldp::Outputs& out, SwapView& swap) const noexcept {
@@ -58,6 +67,7 @@ class LdpModule final : public DisconModule {
   LidarReader::State reader_state_;
   LidarMeasurement measurement_;
   bool was_valid_ = false;
+  bool scan_reported_ = false;
 };
 
 }  // namespace
@@ -68,7 +78,9 @@ const char* module_name() {
 
 std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
   InputFile in = InputFile::load(start.input_file);
-  auto module = std::make_unique<LdpModule>(LdpParams::read(in), start.time_step_s);
+  const LdpParams params = LdpParams::read(in);
+  params.check_time_step(in, start.time_step_s);
+  auto module = std::make_unique<LdpModule>(params, start.time_step_s);
   require_chain_block(swap);
   module->reader().require(swap);
   return module;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ldp/ldp_params.hpp"
 
+#include <algorithm>
+
 namespace lac {
 
 LdpParams LdpParams::read(InputFile& in) {
@@ -8,18 +10,37 @@ LdpParams LdpParams::read(InputFile& in) {
   p.reader = LidarReaderParams::read(in);
   p.scan_time_s = in.number("ScanTime", Range::positive());
   p.required_lead_s = in.number("RequiredLead", p.required_lead_s, Range::not_negative());
+  p.lead_margin_s = in.number("LeadMargin", p.lead_margin_s, Range::not_negative());
   p.longest_lead_s = in.number("LongestLead", p.longest_lead_s, Range::between(1.0, 600.0));
   p.mean_speed_window_s = in.number("MeanSpeedWindow", p.mean_speed_window_s, Range::positive());
-  p.settling_time_s = in.number("SettlingTime", p.settling_time_s, Range::not_negative());
-  p.minimum_samples = in.integer("MinimumSamples", p.reader.number_of_beams, {1.0});
+  p.settling_time_s = in.number("SettlingTime", std::min(p.settling_time_s, p.mean_speed_window_s),
+                                Range::between(0.0, 3600.0));
+  p.minimum_samples =
+      in.integer("MinimumSamples", p.reader.number_of_beams, Range::between(1.0, 1.0e6));
   p.maximum_age_s = in.number("MaximumAge", 2.0 * p.scan_time_s, Range::positive());
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
   if (p.required_lead_s + p.scan_time_s >= p.longest_lead_s) {
     in.fail("LongestLead", "found " + std::to_string(p.longest_lead_s) +
                                " s, expected more than RequiredLead plus ScanTime");
   }
+  if (p.settling_time_s > p.mean_speed_window_s) {
+    in.fail("SettlingTime", "found " + std::to_string(p.settling_time_s) +
+                                " s, expected no more than MeanSpeedWindow, " +
+                                std::to_string(p.mean_speed_window_s) + " s");
+  }
   in.finish();
   return p;
+}
+
+void LdpParams::check_time_step(const InputFile& in, double time_step_s) const {
+  const auto require_a_step = [&](const char* key, double time_s) {
+    if (time_s >= time_step_s * (1.0 - 1e-9)) return;
+    in.fail(key, "found " + std::to_string(time_s) + " s, expected at least one step of " +
+                     std::to_string(time_step_s) + " s");
+  };
+  require_a_step("ScanTime", scan_time_s);
+  require_a_step("MeanSpeedWindow", mean_speed_window_s);
+  require_a_step("MaximumAge", maximum_age_s);
 }
 
 }  // namespace lac

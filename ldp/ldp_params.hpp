@@ -12,9 +12,11 @@ struct LdpParams {
   // One full scan. Averaging over it gives every beam the same weight, at the price of half of it
   // as delay (which FFP takes into account).
   double scan_time_s = 1.0;
-  // Gates whose wind arrives sooner than this are of no use to the filter and buffer behind and
-  // only shorten the lead of all others; they are left out. 0: all gates ahead of the rotor.
+  // Gates whose wind arrives sooner than the filter and buffer behind need are of no use and only
+  // shorten the lead of all others; they are left out. What FFP needs it says itself, in a record;
+  // the lead has to be longer by lead_margin_s, and not below required_lead_s in any case.
   double required_lead_s = 0.0;
+  double lead_margin_s = 0.1;
   // Speed of travel and so lead times mean little before this much was averaged: not valid yet.
   double settling_time_s = 10.0;
   // Memory: wind that arrives later than this is not stored (slow wind; LDP then reports no data).
@@ -31,6 +33,9 @@ struct LdpParams {
 
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static LdpParams read(InputFile& in);
+
+  /// Refuses times shorter than a time step. Throws lac::Error with file, line and key.
+  void check_time_step(const InputFile& in, double time_step_s) const;
 };
 
 }  // namespace lac

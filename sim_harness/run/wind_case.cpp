@@ -108,7 +108,10 @@ struct Describer {
   }
   void operator()(const KaimalFieldParams& p) const {
     out << "Kaimal turbulence, " << p.mean_speed_mps << " m/s, standard deviation "
-        << p.model.u.sigma_mps << " m/s, seed " << p.seed;
+        << p.model.u.sigma_mps << " m/s, " << p.ny << " x " << p.nz << " points, v and w "
+        << (p.lateral_coherence == LateralCoherence::kSameAsU ? "coherent as u" : "independent")
+        << ", seed " << p.seed;
+    if (p.shear_exponent != 0.0) out << ", shear exponent " << p.shear_exponent;
   }
   void operator()(const BtsWind& p) const { out << "file " << p.file.filename().string(); }
 };

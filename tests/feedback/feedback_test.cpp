@@ -186,6 +186,15 @@ TEST(Feedback, FollowsThePowerLevel) {
   EXPECT_NEAR(c.out.torque_Nm, 43093.55, 1e-6);
 }
 
+// The highest level, rounded to single precision by its record, is still in range.
+TEST(Feedback, HighestPowerLevelSurvivesItsRecord) {
+  Controller c;
+  c.in.power_level = static_cast<double>(static_cast<float>(FeedbackParams{}.max_power_level));
+  c.step();
+  EXPECT_FALSE(c.events.power_level_lost);
+  EXPECT_GT(c.state.power_level, 1.0);
+}
+
 // The actuator model delays the demand; without it the demand is the PI's own.
 TEST(Feedback, ActuatorModelDelaysTheDemand) {
   FeedbackParams with = test::shipped_params();

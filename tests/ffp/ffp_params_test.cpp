@@ -48,5 +48,32 @@ TEST(FfpParams, Mistakes) {
               testing::HasSubstr("found 'zero', expected a number above 0"));
 }
 
+// The bilinear filter has no cut-off above half the sampling rate, and a fade takes a step at
+// least.
+TEST(FfpParams, TimeStepTooLong) {
+  const auto refusal = [](const std::string& row, double time_step_s) {
+    InputFile in = InputFile::parse(kGood + row, "ffp.IN");
+    try {
+      FfpParams::read(in).check_time_step(in, time_step_s);
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal("2 ! FadeTime\n", 0.1), "accepted");
+  EXPECT_THAT(refusal("", 12.5), testing::HasSubstr("ffp.IN:2: CutOffFrequency: found 0.040000 Hz, "
+                                                    "expected less than 0.040000 Hz"));
+  EXPECT_THAT(refusal("5 ! DelayFrequency\n", 0.1), testing::HasSubstr("ffp.IN:5: DelayFreq"));
+  EXPECT_THAT(
+      refusal("1e-9 ! FadeTime\n", 0.0125),
+      testing::HasSubstr("ffp.IN:5: FadeTime: found 0.000000 s, expected at least one step"));
+}
+
+// A hysteresis that reaches below zero would keep the feedforward on for ever.
+TEST(FfpParams, HysteresisBeyondTheThreshold) {
+  EXPECT_THAT(error_of(std::string(kGood) + "3 ! ThresholdSpeed\n4 ! Hysteresis\n"),
+              testing::HasSubstr("ffp.IN:6: Hysteresis: found 4.0"));
+}
+
 }  // namespace
 }  // namespace lac

@@ -43,6 +43,22 @@ TEST(LdpLibrary, DeadLidarIsToldOnce) {
   EXPECT_EQ(caller.swap().get(Rec::LidarRewsValid), 0.0);
 }
 
+// A lidar that scans more slowly than the input file says is told once.
+TEST(LdpLibrary, SlowerScanThanToldIsTold) {
+  DisconCaller caller("liblac_ldp", shipped());
+  test::LidarScan scan;
+  int messages = 0;
+  for (int i = 0; i < 4000; ++i) {
+    write_native_lidar(caller.swap(), scan.measure(i * caller.time_step_s, i / 40 % 4),
+                       i % 40 == 0);
+    if (caller.call(i == 0 ? 0 : 1) > 0) {
+      ++messages;
+      EXPECT_NE(caller.message().find("after 2 s, ScanTime says 1 s"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(messages, 1);
+}
+
 // A host that fills no lidar block gets a warning that says so, and the run goes on.
 TEST(LdpLibrary, NoLidarBlockIsAWarning) {
   DisconCaller caller("liblac_ldp", shipped());

@@ -28,6 +28,7 @@ struct Flight {
     for (; step * kStep_s < end_s + 1e-9; ++step) {
       Ldp::Inputs in;
       in.time_s = step * kStep_s;
+      in.lead_needed_s = lead_needed_s;
       LidarMeasurement m;
       if (step % every == 0) {
         m = scan.measure(in.time_s, step / every % 4);
@@ -43,6 +44,7 @@ struct Flight {
   Ldp::State state;
   test::LidarScan scan;
   std::function<void(LidarMeasurement&)> change;
+  double lead_needed_s = 0.0;
   bool silent = false;
   int step = 0;
 };
@@ -102,6 +104,35 @@ TEST(Ldp, RequiredLeadDropsNearGates) {
   EXPECT_EQ(out.samples, 8);
 }
 
+// What the feedforward behind needs, with the margin, drops near gates likewise.
+TEST(Ldp, LeadNeededBehindDropsNearGates) {
+  Flight flight(four_beams());
+  flight.lead_needed_s = 3.7;  // + 0.1 s of margin: more than the 3.75 s of 60 m
+  EXPECT_NEAR(flight.run_until(30.0).lead_s, 120.0 / 16.0, 1e-9);
+  Flight not_known(four_beams());
+  not_known.lead_needed_s = std::nan("");
+  EXPECT_NEAR(not_known.run_until(30.0).lead_s, 60.0 / 16.0, 1e-9);
+}
+
+// Beams that reach different distances up-wind share one lead: it does not flip with the beam.
+TEST(Ldp, LeadIsTheFarthestOfTheBeamsNearestGates) {
+  Flight flight(four_beams());
+  flight.change = [](LidarMeasurement& m) { m.position_I_m.x = m.beam_id < 2 ? 1.0 : -2.0; };
+  for (double t = 20.0; t < 22.0; t += 0.1) {
+    EXPECT_NEAR(flight.run_until(t).lead_s, 62.0 / 16.0, 1e-9);
+  }
+}
+
+// The time between two visits of a beam is told, whatever gaps there are.
+TEST(Ldp, TellsTheScanTime) {
+  Flight flight(four_beams());
+  flight.run_until(20.0);
+  flight.silent = true;
+  flight.run_until(25.0);
+  flight.silent = false;
+  EXPECT_NEAR(flight.run_until(30.0).scan_time_s, 1.0, 1e-9);
+}
+
 // The nearest gate does not change to and fro with the mean wind: a nearer one comes into use only
 // with a margin over the required lead, the one in use leaves below the required lead itself.
 TEST(Ldp, NearestGateHasAHysteresis) {
@@ -119,7 +150,7 @@ TEST(Ldp, NearestGateHasAHysteresis) {
   };
   EXPECT_NEAR(nearest_m(16.0, 60.0), 60.0, 1e-6);
   EXPECT_NEAR(nearest_m(17.0, 120.0), 120.0, 1e-6);
-  EXPECT_NEAR(nearest_m(16.0, 180.0), 120.0, 1e-6);  // lead there again, margin not
+  EXPECT_NEAR(nearest_m(16.0, 180.0), 120.0, 1e-6);  // lead there again, to spare not
   EXPECT_NEAR(nearest_m(14.0, 240.0), 60.0, 1e-6);
 }
 

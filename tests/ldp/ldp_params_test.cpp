@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ldp/ldp_params.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace lac {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kGood = "4 ! NumberOfBeams\n1 ! ScanTime\n";
+
+std::string refusal(const std::string& rows, double time_step_s = 0.0125) {
+  InputFile in = InputFile::parse(rows, "ldp.IN");
+  try {
+    LdpParams::read(in).check_time_step(in, time_step_s);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+// Few keys are needed; a short mean settles within its own window.
+TEST(LdpParams, Defaults) {
+  InputFile in = InputFile::parse(std::string(kGood) + "4 ! MeanSpeedWindow\n", "ldp.IN");
+  const LdpParams p = LdpParams::read(in);
+  EXPECT_EQ(p.settling_time_s, 4.0);
+  EXPECT_EQ(p.minimum_samples, 4);
+  EXPECT_EQ(p.maximum_age_s, 2.0);
+  EXPECT_EQ(refusal(kGood), "accepted");
+}
+
+// Nothing is shortened or lengthened in silence: what cannot be is refused with line and key.
+TEST(LdpParams, Mistakes) {
+  const std::string good = kGood;
+  EXPECT_THAT(refusal(good + "9 ! MeanSpeedWindow\n10 ! SettlingTime\n"),
+              HasSubstr("ldp.IN:4: SettlingTime: found 10.0"));
+  EXPECT_THAT(
+      refusal("4 ! NumberOfBeams\n1e-9 ! ScanTime\n"),
+      HasSubstr("ldp.IN:2: ScanTime: found 0.000000 s, expected at least one step of 0.0125"));
+  EXPECT_THAT(refusal(good + "0.01 ! MeanSpeedWindow\n"), HasSubstr("ldp.IN:3: MeanSpeedWindow"));
+  EXPECT_THAT(refusal(good + "0.01 ! MaximumAge\n"), HasSubstr("ldp.IN:3: MaximumAge"));
+  EXPECT_THAT(refusal(good + "1.9 ! LongestLead\n1 ! RequiredLead\n"),
+              HasSubstr("expected more than RequiredLead plus ScanTime"));
+  EXPECT_EQ(refusal("1 ! NumberOfBeams\n0.0125 ! ScanTime\n"), "accepted");
+}
+
+}  // namespace
+}  // namespace lac
