@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/error.hpp"
+#include "core/part_file.hpp"
 
 namespace lac {
 namespace {
@@ -75,17 +76,9 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& c) {
   const std::uint64_t sum = fnv1a(w.bytes);
   w.raw(&sum, sizeof sum);
 
-  const std::filesystem::path part = file.string() + ".part";
-  {
-    std::ofstream out(part, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(w.bytes.data()),
-              static_cast<std::streamsize>(w.bytes.size()));
-    out.close();
-    if (!out) throw Error(file.string() + ": cannot write the checkpoint");
-  }
-  std::error_code ec;
-  std::filesystem::rename(part, file, ec);
-  if (ec) throw Error(file.string() + ": cannot write the checkpoint: " + ec.message());
+  PartFile out(file);
+  out.write(w.bytes.data(), w.bytes.size());
+  out.commit();
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& module) {

@@ -3,12 +3,14 @@
 
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/call_strings.hpp"
+#include "core/chain_block.hpp"
 #include "core/checkpoint.hpp"
 #include "core/discon_abi.h"
 #include "core/discon_module.hpp"
@@ -39,13 +41,23 @@ struct Call {
   Notice& notice;
 };
 
+// What a time step can be: outside of this the record was never filled, or not as seconds.
+constexpr float kShortestStep_s = 1.0e-5f;
+constexpr float kLongestStep_s = 1.0e3f;
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 /// Record 3 is a float: 0.0125f is 0.012500000186. The shortest decimal that gives the same
 /// float is what the user wrote.
 double exact_time_step(const SwapView& swap) {
   const auto step = static_cast<float>(swap.get(Rec::TimeStep));
-  if (!(step > 0.0f) || !(step < 1.0e6f)) {
-    throw Error("record 3 (communication interval) is " + std::to_string(step) +
-                " s, expected a positive number");
+  if (!(step >= kShortestStep_s && step <= kLongestStep_s)) {
+    throw Error("record 3 (communication interval) is " + shown(step) + " s, expected " +
+                shown(kShortestStep_s) + " to " + shown(kLongestStep_s) + " s");
   }
   char text[32];
   const auto written = std::to_chars(text, text + sizeof text, step);
@@ -55,28 +67,51 @@ double exact_time_step(const SwapView& swap) {
 }
 
 void enter(std::unique_ptr<Instance> instance, Call& call) {
-  Instance* replaced = nullptr;
   const CallerKey key =
       caller_key(call.swap.data(), instance->start.input_file.string(), call.out_name);
-  if (!instances().enter(key, instance.get(), &replaced)) {
+  if (!instances().enter(key, instance.get())) {
     throw Error("more than " + std::to_string(InstanceTable<Instance>::kCapacity) +
                 " turbines in one process");
   }
   static_cast<void>(instance.release());  // the table owns it now
-  delete replaced;
+}
+
+/// A run of the same turbine that was never ended goes before the new one comes: they would meet
+/// in output files and in libraries that keep one state per process.
+void end_unfinished_run(Call& call, std::string_view in_file) {
+  delete instances().take(caller_key(call.swap.data(), in_file, call.out_name));
+}
+
+/// A length that is no length would otherwise read as an empty string.
+void require_lengths(const Call& call) {
+  for (const Rec record : {Rec::InFileLength, Rec::OutNameLength}) {
+    const double length = call.swap.get(record);
+    if (length >= 0.0 && length <= kLongestString) continue;
+    throw Error("record " + std::to_string(static_cast<int>(record)) + " (" +
+                std::string(find_record(static_cast<int>(record))->meaning) + ") is " +
+                shown(length) + ", expected 0 to " + std::to_string(kLongestString));
+  }
 }
 
 /// Tells the master that this library knows the chain block and every status.
 void answer_master(SwapView& swap) {
-  if (swap.holds(kChainBlock) && swap.integer(Rec::ChainVersion, 0) == kChainLayoutVersion) {
+  if (has_chain_block(swap)) {
     swap.set(Rec::ChainMember, 1.0);
   }
 }
 
 void first_call(Call& call) {
+  require_lengths(call);
   if (call.in_file.empty()) {
     throw Error("no input file: the host passed an empty name (record 50 is " +
-                std::to_string(call.swap.integer(Rec::InFileLength, 0)) + ")");
+                shown(call.swap.get(Rec::InFileLength)) + ")");
+  }
+  end_unfinished_run(call, call.in_file);
+  const CallerKey key = caller_key(call.swap.data(), call.in_file, call.out_name);
+  if (!has_chain_block(call.swap) && instances().with_strings(key) > 0) {
+    call.notice.warn(
+        "another turbine of this process, or a run that was never ended, has the same input file "
+        "and root name: they are told apart by the address of their arrays alone");
   }
   auto instance = std::make_unique<Instance>();
   instance->start.input_file = std::string(call.in_file);
@@ -98,8 +133,10 @@ void load_state(DisconModule& module, const std::vector<std::byte>& bytes,
 }
 
 void restart(Call& call) {
+  require_lengths(call);
   const std::string file(call.in_file);
   const Checkpoint saved = read_checkpoint(file, module_name());
+  end_unfinished_run(call, saved.input_file);
   auto instance = std::make_unique<Instance>();
   instance->start.input_file = saved.input_file;
   instance->start.out_name = saved.out_name;
@@ -115,6 +152,12 @@ void restart(Call& call) {
 }
 
 void checkpoint(Instance& instance, Call& call) {
+  const CallerKey own =
+      caller_key(call.swap.data(), instance.start.input_file.string(), instance.start.out_name);
+  if (instances().with_strings(own) > 1) {
+    throw Error("several turbines of this process have the same input file and root name (" +
+                instance.start.out_name + "): their checkpoints would overwrite each other");
+  }
   Checkpoint c{module_name(),           instance.start.input_file.string(),
                instance.start.out_name, instance.start.time_step_s,
                instance.steps,          {}};
@@ -205,7 +248,7 @@ void discon_entry(float* array, int* fail, const char* in_file, const char* out_
   try {
     const int status = swap.integer(Rec::Status, INT32_MIN);
     *fail = 0;
-    if (!is_known(status)) return;
+    if (!is_known(status) || swap.get(Rec::Status) != status) return;
     Call call{swap, read_in_file(in_file, swap), read_out_name(out_name, swap), notice};
     dispatch(status, call);
   } catch (const std::exception& e) {

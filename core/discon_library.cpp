@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <utility>
 
@@ -12,6 +13,9 @@
 #include <windows.h>
 #else
 #include <dlfcn.h>
+#if defined(__linux__)
+#include <link.h>
+#endif
 #endif
 
 namespace lac {
@@ -52,6 +56,53 @@ void unload(void* handle) {
 }
 #endif
 
+#if defined(__linux__)
+/// Does the file hold all that its program headers speak of? The loader maps it without asking,
+/// and a process that touches a page behind the end of a cut-off file dies (SIGBUS).
+bool is_cut_off(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  ElfW(Ehdr) head{};
+  in.read(reinterpret_cast<char*>(&head), sizeof head);
+  const bool is_ours =
+      std::memcmp(head.e_ident, ELFMAG, SELFMAG) == 0 && head.e_phentsize == sizeof(ElfW(Phdr));
+  if (!in || !is_ours) return false;  // the loader sees that, and says what it is
+  std::error_code ec;
+  const std::uintmax_t size = fs::file_size(path, ec);
+  in.seekg(static_cast<std::streamoff>(head.e_phoff));
+  for (unsigned i = 0; i < head.e_phnum; ++i) {
+    ElfW(Phdr) part{};
+    if (!in.read(reinterpret_cast<char*>(&part), sizeof part)) return true;
+    if (part.p_filesz > size || part.p_offset > size - part.p_filesz) return true;
+  }
+  return false;
+}
+#else
+bool is_cut_off(const fs::path&) {
+  return false;
+}
+#endif
+
+const char* machine_name(unsigned elf_machine) {
+  switch (elf_machine) {
+    case 3:
+      return "x86";
+    case 62:
+      return "x86-64";
+    case 183:
+      return "ARM64";
+    default:
+      return nullptr;
+  }
+}
+
+#if defined(__x86_64__)
+constexpr const char* kThisMachine = " x86-64";
+#elif defined(__aarch64__)
+constexpr const char* kThisMachine = " ARM64";
+#else
+constexpr const char* kThisMachine = "";
+#endif
+
 /// What kind of file it is, for the message when it cannot be loaded.
 std::string describe(const fs::path& path) {
   std::array<unsigned char, 20> head{};
@@ -62,11 +113,10 @@ std::string describe(const fs::path& path) {
     return "not a library for this system";
   }
   const unsigned machine = head[18] + 256u * head[19];
-  const char* name = machine == 62 ? "x86-64" : machine == 3 ? "x86" : nullptr;
-  if (machine == 183) name = "ARM64";
+  const char* name = machine_name(machine);
   return std::string(head[4] == 1 ? "a 32-bit" : "a 64-bit") + " library for " +
          (name != nullptr ? name : ("machine type " + std::to_string(machine)).c_str()) +
-         "; this process is " + std::to_string(8 * sizeof(void*)) + "-bit";
+         "; this process is " + std::to_string(8 * sizeof(void*)) + "-bit" + kThisMachine;
 }
 
 }  // namespace
@@ -120,6 +170,11 @@ DisconLibrary DisconLibrary::open(const std::string& name, const std::string& en
 
   std::string reason;
   const fs::path target = library.path_.empty() ? fs::path(name) : fs::absolute(library.path_);
+  if (!library.path_.empty() && is_cut_off(target)) {
+    throw Error(library.path_.string() +
+                ": cannot be loaded: the file is shorter than its own headers say: it was cut off "
+                "or is still being written");
+  }
   library.handle_ = load(target, reason);
   if (library.handle_ == nullptr && library.path_.empty()) {
     if (!name.ends_with(kSuffix)) library.handle_ = load(name + kSuffix, reason);

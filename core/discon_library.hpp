@@ -10,7 +10,7 @@
 namespace lac {
 
 /// Where a library may lie: `name` as written (with or without suffix) in each of the folders,
-/// in their order; a bare name at last where the system looks. An absolute name stands alone.
+/// in their order. An absolute name stands alone.
 std::vector<std::filesystem::path> library_candidates(
     const std::string& name, const std::vector<std::filesystem::path>& folders);
 

@@ -13,12 +13,6 @@
 namespace lac {
 namespace {
 
-std::string shortest(double v) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, v);
-  return {text, end.ptr};
-}
-
 bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',';
 }
@@ -49,6 +43,16 @@ bool split_values(std::string_view line, std::vector<std::string>& words, std::s
   return true;
 }
 
+/// A word of the file as it can stand in a message: short, on one line.
+std::string quotable(std::string_view word) {
+  constexpr std::size_t kLongest = 60;
+  std::string text(word.substr(0, kLongest));
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return word.size() > kLongest ? text + "..." : text;
+}
+
 std::string_view first_word(std::string_view s) {
   const std::size_t begin = s.find_first_not_of(" \t");
   if (begin == std::string_view::npos) return {};
@@ -67,9 +71,18 @@ bool parse_number(std::string word, double& value) {
 
 }  // namespace
 
+std::string shortest(double v) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, v, std::chars_format::general, 10);
+  return {text, end.ptr};
+}
+
 std::string Range::text() const {
   const bool low = std::isfinite(min), high = std::isfinite(max);
-  if (low && high) return "a number from " + shortest(min) + " to " + shortest(max);
+  if (low && high && min_itself_allowed) {
+    return "a number from " + shortest(min) + " to " + shortest(max);
+  }
+  if (low && high) return "a number above " + shortest(min) + " up to " + shortest(max);
   if (low && min_itself_allowed) return "a number of at least " + shortest(min);
   if (low) return "a number above " + shortest(min);
   if (high) return "a number of at most " + shortest(max);
@@ -97,13 +110,16 @@ InputFile InputFile::parse(std::string_view text, std::filesystem::path file) {
   InputFile result;
   result.file_ = std::move(file);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte-order mark
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    throw Error(result.file_.string() + ": byte " + std::to_string(zero + 1) +
+                " is zero: found a binary or UTF-16 file, expected plain text (UTF-8)");
+  }
   int line = 0;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    std::string_view one = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (one.ends_with('\r')) one.remove_suffix(1);
-    result.parse_line(one, ++line);
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const bool windows = text.substr(end).starts_with("\r\n");
+    result.parse_line(text.substr(0, end), ++line);
+    text.remove_prefix(std::min(end + (windows ? 2 : 1), text.size()));
   }
   return result;
 }
@@ -118,13 +134,15 @@ void InputFile::parse_line(std::string_view line, int number) {
   if (!split_values(line, entry.values, rest)) throw Error(here() + "a quote is not closed");
   entry.key = std::string(first_word(rest));
   if (entry.key.empty()) {
-    throw Error(here() + "found '" + std::string(line.substr(0, 60)) +
+    throw Error(here() + "found '" + quotable(line) +
                 "', expected 'value ! Key - description' (a comment line begins with !)");
   }
-  if (entry.values.empty()) throw Error(here() + entry.key + ": no value in front of the '!'");
+  if (entry.values.empty()) {
+    throw Error(here() + quotable(entry.key) + ": no value in front of the '!'");
+  }
   for (const Entry& other : entries_) {
     if (equal_ignoring_case(other.key, entry.key)) {
-      throw Error(here() + entry.key + ": stands twice, first in line " +
+      throw Error(here() + quotable(entry.key) + ": stands twice, first in line " +
                   std::to_string(other.line));
     }
   }
@@ -156,7 +174,7 @@ InputFile::Entry& InputFile::need(const std::string& key) {
 std::string InputFile::where(const std::string& key) const {
   for (const Entry& e : entries_) {
     if (equal_ignoring_case(e.key, key)) {
-      return file_.string() + ":" + std::to_string(e.line) + ": " + e.key;
+      return file_.string() + ":" + std::to_string(e.line) + ": " + quotable(e.key);
     }
   }
   return file_.string() + ": " + key;
@@ -179,8 +197,12 @@ const std::string& InputFile::single(const Entry& entry) const {
 
 double InputFile::to_number(const Entry& entry, const std::string& word, Range range) const {
   double value = 0.0;
-  if (!parse_number(word, value)) fail_at(entry, "found '" + word + "', expected " + range.text());
-  if (!range.contains(value)) fail_at(entry, "found " + word + ", expected " + range.text());
+  if (!parse_number(word, value)) {
+    fail_at(entry, "found '" + quotable(word) + "', expected " + range.text());
+  }
+  if (!range.contains(value)) {
+    fail_at(entry, "found " + quotable(word) + ", expected " + range.text());
+  }
   return value;
 }
 
@@ -193,7 +215,7 @@ int InputFile::integer(const std::string& key, Range range) {
   const Entry& e = need(key);
   const double value = to_number(e, single(e), range);
   if (value != std::round(value) || std::abs(value) > 2.0e9) {
-    fail_at(e, "found " + single(e) + ", expected a whole number");
+    fail_at(e, "found " + quotable(single(e)) + ", expected a whole number");
   }
   return static_cast<int>(value);
 }
@@ -207,7 +229,7 @@ bool InputFile::flag(const std::string& key) {
   for (const char* no : {"false", "f", ".false.", "0", "no", "off"}) {
     if (equal_ignoring_case(word, no)) return false;
   }
-  fail_at(e, "found '" + word + "', expected true or false");
+  fail_at(e, "found '" + quotable(word) + "', expected true or false");
 }
 
 std::string InputFile::text(const std::string& key) {
@@ -243,7 +265,8 @@ int InputFile::choice(const std::string& key, const std::vector<std::string>& ch
     if (equal_ignoring_case(word, choices[i])) return static_cast<int>(i);
     all += (i == 0 ? "" : ", ") + choices[i];
   }
-  fail_at(e, "found '" + word + "', expected one of " + all + did_you_mean(word, choices));
+  fail_at(e,
+          "found '" + quotable(word) + "', expected one of " + all + did_you_mean(word, choices));
 }
 
 double InputFile::number(const std::string& key, double fallback, Range range) {

@@ -9,6 +9,9 @@
 
 namespace lac {
 
+/// Ten significant digits at most, for messages: 0.0125, 1e-09.
+std::string shortest(double v);
+
 /// What a number must satisfy; the text stands in the error message.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
@@ -32,7 +35,8 @@ struct Range {
 ///
 /// Keys in any order, upper and lower case alike; lines that begin with `!` or `#`, and blank
 /// lines, are comments. Strings may be quoted ("a b" or 'a b'). Separators are blanks, tabs and
-/// commas. 20.000 is an integer, 1.5D-3 a number, true/false/1/0 a flag. Windows line ends pass.
+/// commas. 20.000 is an integer, 1.5D-3 a number, true/false/1/0 a flag. Line ends of any system
+/// and a byte-order mark pass; a file with zero bytes (binary, UTF-16) does not.
 ///
 /// Every reading function marks its key as known; finish() refuses the ones nobody asked for.
 /// All errors are lac::Error: "<file>:<line>: <key>: found ..., expected ...<hint>".

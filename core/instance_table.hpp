@@ -4,9 +4,10 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstring>
 #include <mutex>
 #include <string_view>
+
+#include "core/hash.hpp"
 
 namespace lac {
 
@@ -44,26 +45,12 @@ class InstanceTable {
     return find_other(key);
   }
 
-  /// Enters an instance; false if the table is full. An instance that had the same address and
-  /// strings (a run that was never ended) is handed back through `replaced`.
-  bool enter(const CallerKey& key, Instance* instance, Instance** replaced) {
+  /// Enters an instance; false if the table is full.
+  bool enter(const CallerKey& key, Instance* instance) {
     const std::lock_guard lock(mutex_);
-    *replaced = nullptr;
-    int target = -1;
-    for (int i = 0; i < used_.load(); ++i) {
-      const bool same = slots_[i].array.load() == key.array &&
-                        slots_[i].instance.load() != nullptr &&
-                        slots_[i].strings.load() == key.strings;
-      if (same) {
-        *replaced = slots_[i].instance.exchange(instance, std::memory_order_acq_rel);
-        return true;
-      }
-      if (slots_[i].instance.load() == nullptr && target < 0) target = i;
-    }
-    if (target < 0) {
-      if (used_.load() == kCapacity) return false;
-      target = used_.load();
-    }
+    int target = 0;
+    while (target < used_.load() && slots_[target].instance.load() != nullptr) ++target;
+    if (target == kCapacity) return false;
     slots_[target].strings.store(key.strings, std::memory_order_relaxed);
     slots_[target].out_name.store(key.out_name, std::memory_order_relaxed);
     slots_[target].instance.store(instance, std::memory_order_relaxed);
@@ -75,10 +62,32 @@ class InstanceTable {
   void leave(const Instance* instance) {
     const std::lock_guard lock(mutex_);
     for (Slot& slot : slots_) {
-      if (slot.instance.load() != instance) continue;
-      slot.array.store(nullptr, std::memory_order_release);
-      slot.instance.store(nullptr, std::memory_order_release);
+      if (slot.instance.load() == instance) empty(slot);
     }
+  }
+
+  /// Takes out and gives the instance with this very address and these very strings (a run that
+  /// was never ended), or nullptr.
+  Instance* take(const CallerKey& key) {
+    const std::lock_guard lock(mutex_);
+    Slot* slot = only([&](const Slot& s) {
+      return s.array.load() == key.array && s.strings.load() == key.strings;
+    });
+    if (slot == nullptr) return nullptr;
+    Instance* instance = slot->instance.load();
+    empty(*slot);
+    return instance;
+  }
+
+  /// How many instances were entered with these strings?
+  int with_strings(const CallerKey& key) {
+    const std::lock_guard lock(mutex_);
+    int count = 0;
+    for (int i = 0; i < used_.load(); ++i) {
+      const bool same = slots_[i].instance.load() != nullptr && slots_[i].strings == key.strings;
+      count += same ? 1 : 0;
+    }
+    return count;
   }
 
  private:
@@ -88,6 +97,11 @@ class InstanceTable {
     std::atomic<std::uint64_t> out_name{0};
     std::atomic<Instance*> instance{nullptr};
   };
+
+  static void empty(Slot& slot) {
+    slot.array.store(nullptr, std::memory_order_release);
+    slot.instance.store(nullptr, std::memory_order_release);
+  }
 
   Instance* find_other(const CallerKey& key) {
     const std::lock_guard lock(mutex_);
@@ -120,35 +134,6 @@ class InstanceTable {
   std::atomic<int> used_{0};
   std::mutex mutex_;
 };
-
-/// Fast 64-bit hash (not cryptographic); chained through `seed`.
-inline std::uint64_t hash_of_text(std::string_view s,
-                                  std::uint64_t seed = 0x9e3779b97f4a7c15ull) noexcept {
-  std::uint64_t hash = seed;
-  const auto mix = [&hash](std::uint64_t word) {
-    hash = (hash ^ word) * 0xff51afd7ed558ccdull;
-    hash ^= hash >> 32;
-  };
-  const char* p = s.data();
-  std::size_t left = s.size();
-  for (; left >= sizeof(std::uint64_t); left -= sizeof(std::uint64_t)) {
-    std::uint64_t word;
-    std::memcpy(&word, p, sizeof word);  // of known size: one load, not a call
-    mix(word);
-    p += sizeof word;
-  }
-  if (s.size() >= sizeof(std::uint64_t)) {  // the rest together with what stands before it
-    std::uint64_t word;
-    std::memcpy(&word, s.data() + s.size() - sizeof word, sizeof word);
-    mix(word);
-  } else {
-    std::uint64_t rest = 0;
-    for (; left > 0; --left) rest = (rest << 8) | static_cast<unsigned char>(*p++);
-    mix(rest);
-  }
-  hash = (hash ^ s.size()) * 0xc4ceb9fe1a85ec53ull;
-  return hash ^ (hash >> 29);
-}
 
 inline CallerKey caller_key(const void* array, std::string_view in_file,
                             std::string_view out_name) noexcept {

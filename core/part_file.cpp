@@ -38,8 +38,9 @@ PartFile::PartFile(std::filesystem::path target, const char* suffix)
     fail(target_, "cannot create this file", EISDIR);
   descriptor_ = ::open(part_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(target_, "cannot create this file", errno);
-  const bool locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
-  if (!locked || !still_has_name(descriptor_, part_)) {
+  // A file system without locks (some cluster mounts) cannot tell; that is no reason to refuse.
+  const bool in_use = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (in_use || !still_has_name(descriptor_, part_)) {
     ::close(descriptor_);
     throw Error(target_.string() + ": another run is writing this file (" + part_.string() +
                 " is locked): give each run its own output file");

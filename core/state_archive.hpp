@@ -20,7 +20,7 @@ namespace lac {
 ///
 /// Numbers go bit by bit: a loaded state continues exactly. Sizes of vectors belong to the
 /// state and must be the same when loading (a state is loaded into an object that was built
-/// from the same input); a mismatch makes ok() false and leaves the rest untouched.
+/// from the same input); a mismatch makes complete() false and leaves the rest untouched.
 class StateArchive {
  public:
   /// Saves into bytes (appended; memory is reused between saves).

@@ -38,7 +38,7 @@ class Feedback {
     bool hold_began = false;
     int recovered_after_steps = 0;
     bool feedforward_lost = false;  // the rate became not finite; it counts as zero
-    bool power_level_lost = false;  // not in [0, MaxPowerLevel] any more; it counts as none
+    bool power_level_lost = false;  // not in [0, MaximumPowerLevel] any more; it counts as none
   };
   struct State {
     bool started = false;

@@ -52,7 +52,7 @@ class FeedbackModule final : public DisconModule {
       notice.warn("feedforward pitch rate is not a number: taken as 0 until it is one");
     }
     if (events.power_level_lost) {
-      notice.warn("power level is not within 0 and MaxPowerLevel: taken as 1 until it is");
+      notice.warn("power level is not within 0 and MaximumPowerLevel: taken as 1 until it is");
     }
   }
 
@@ -102,6 +102,7 @@ const char* module_name() {
 std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
   InputFile in = InputFile::load(start.input_file);
   const FeedbackParams params = FeedbackParams::read(in);
+  params.check_time_step(in, start.time_step_s);
   if (params.use_feedforward) require_chain_for(in, "UseFeedforward", swap);
   if (params.use_power_level) require_chain_for(in, "UsePowerLevel", swap);
   return std::make_unique<FeedbackModule>(params, start.time_step_s, has_chain_block(swap));

@@ -12,6 +12,8 @@ namespace {
 
 // The notch follows the speed from cut-in to this multiple of the rated one.
 constexpr double kHighestSpeedOverRated = 2.0;
+// Damping [-] and frequency [rad/s] of a rotor speed loop: around 1 and below.
+constexpr Range kLoopRange{0.0, 10.0, false};
 
 constexpr std::array kDesignKeys = {
     "PitchLoopDamping",  "PitchLoopFrequency",  "TorqueLoopDamping", "TorqueLoopFrequency",
@@ -33,21 +35,20 @@ void require_order(InputFile& in, const char* key, const char* other_key, bool a
   const double value = in.number(key);
   const double other = in.number(other_key);
   if (above ? value > other : value >= other) return;
-  in.fail(key, "found " + std::to_string(value) + ", expected " +
-                   (above ? "more than " : "no less than ") + other_key + ", " +
-                   std::to_string(other));
+  in.fail(key, "found " + shortest(value) + ", expected " +
+                   (above ? "more than " : "no less than ") + other_key + ", " + shortest(other));
 }
 
 void read_torque(InputFile& in, TorqueControl::Params& p) {
   p.rated_speed_radps = speed(in, "RatedGeneratorSpeed");
   p.rated_torque_Nm = in.number("RatedTorque", Range::positive());
-  p.max_torque_Nm = in.number("MaxTorque", Range::positive());
-  p.max_rate_Nmps = in.number("MaxTorqueRate", Range::positive());
+  p.max_torque_Nm = in.number("MaximumTorque", Range::positive());
+  p.max_rate_Nmps = in.number("MaximumTorqueRate", Range::positive());
   p.cut_in_speed_radps = speed(in, "CutInSpeed");
   p.low_speed_radps = speed(in, "LowSpeedSetPoint");
   p.above_rated =
       static_cast<TorqueControl::AboveRated>(in.choice("AboveRated", {"power", "torque"}));
-  require_order(in, "MaxTorque", "RatedTorque", false);
+  require_order(in, "MaximumTorque", "RatedTorque", false);
   require_order(in, "LowSpeedSetPoint", "CutInSpeed", true);
   require_order(in, "RatedGeneratorSpeed", "LowSpeedSetPoint", true);
 }
@@ -55,9 +56,9 @@ void read_torque(InputFile& in, TorqueControl::Params& p) {
 void read_pitch(InputFile& in, double rated_speed_radps, PitchControl::Params& p) {
   p.rated_speed_radps = rated_speed_radps;
   p.fine_pitch_rad = degrees(in, "FinePitch", Range::between(-20.0, 90.0));
-  p.max_pitch_rad = degrees(in, "MaxPitch", Range::between(-20.0, 120.0));
-  p.max_rate_radps = degrees(in, "MaxPitchRate", Range::positive());
-  require_order(in, "MaxPitch", "FinePitch", true);
+  p.max_pitch_rad = degrees(in, "MaximumPitch", Range::between(-20.0, 120.0));
+  p.max_rate_radps = degrees(in, "MaximumPitchRate", Range::positive());
+  require_order(in, "MaximumPitch", "FinePitch", true);
 }
 
 void read_speed_filter(InputFile& in, const TorqueControl::Params& torque, SpeedFilter::Params& p) {
@@ -78,10 +79,10 @@ void read_fading(InputFile& in, const TorqueControl::Params& torque, SetPointFad
   p.low_pass_hz = in.number("FadingLowPass", p.low_pass_hz, Range::positive());
   const double reach_radps = 0.5 * (torque.rated_speed_radps - torque.low_speed_radps);
   if (p.speed_range_radps >= reach_radps) {
-    in.fail("FadingSpeed", "found " + std::to_string(rpm_from_radps(p.speed_range_radps)) +
+    in.fail("FadingSpeed", "found " + shortest(rpm_from_radps(p.speed_range_radps)) +
                                " rpm, expected less than half of what lies between "
                                "LowSpeedSetPoint and RatedGeneratorSpeed, " +
-                               std::to_string(rpm_from_radps(reach_radps)) +
+                               shortest(rpm_from_radps(reach_radps)) +
                                " rpm: the torque loop would step between its set points");
   }
 }
@@ -92,7 +93,8 @@ void read_actuator(InputFile& in, FeedbackParams& p) {
   p.actuator.max_rad = p.pitch.max_pitch_rad;
   p.actuator.max_rate_radps = p.pitch.max_rate_radps;
   p.actuator.frequency_radps =
-      in.number("PitchActuatorFrequency", p.actuator.frequency_radps, Range::positive());
+      radps_from_hz(in.number("PitchActuatorFrequency",
+                              p.actuator.frequency_radps / radps_from_hz(1.0), Range::positive()));
   p.actuator.damping =
       in.number("PitchActuatorDamping", p.actuator.damping, Range::between(0.01, 0.999));
 }
@@ -100,7 +102,7 @@ void read_actuator(InputFile& in, FeedbackParams& p) {
 void read_set_points_of_others(InputFile& in, FeedbackParams& p) {
   p.use_feedforward = in.flag("UseFeedforward", false);
   p.use_power_level = in.flag("UsePowerLevel", false);
-  p.max_power_level = in.number("MaxPowerLevel", p.max_power_level, Range::between(1.0, 2.0));
+  p.max_power_level = in.number("MaximumPowerLevel", p.max_power_level, Range::between(1.0, 2.0));
   p.power_level_rate_per_s =
       in.number("PowerLevelRate", p.power_level_rate_per_s, Range::positive());
 }
@@ -146,7 +148,7 @@ std::vector<double> read_design_winds(InputFile& in) {
 }
 
 LoopTarget read_target(InputFile& in, const char* damping_key, const char* frequency_key) {
-  return {in.number(damping_key, Range::positive()), in.number(frequency_key, Range::positive())};
+  return {in.number(damping_key, kLoopRange), in.number(frequency_key, kLoopRange)};
 }
 
 void design_gains(InputFile& in, FeedbackParams& p) {
@@ -178,12 +180,6 @@ void read_gains(InputFile& in, FeedbackParams& p) {
   p.torque.optimal_gain_Nms2prad2 = in.number("OptimalTorqueGain", Range::positive());
 }
 
-void require_below_nyquist(const char* key, double frequency_hz, double time_step_s) {
-  if (frequency_hz < 0.5 / time_step_s) return;
-  throw Error(std::string(key) + ": " + std::to_string(frequency_hz) + " Hz, expected less than " +
-              std::to_string(0.5 / time_step_s) + " Hz, half the rate at which the host calls");
-}
-
 }  // namespace
 
 FeedbackParams FeedbackParams::read(InputFile& in) {
@@ -203,12 +199,18 @@ FeedbackParams FeedbackParams::read(InputFile& in) {
   return p;
 }
 
-void FeedbackParams::check_time_step(double time_step_s) const {
-  require_below_nyquist("SpeedLowPass", speed.low_pass_hz, time_step_s);
-  require_below_nyquist("NotchTracking", speed.notch_tracking_hz, time_step_s);
-  require_below_nyquist("FadingLowPass", fading.low_pass_hz, time_step_s);
-  require_below_nyquist("notch at twice RatedGeneratorSpeed",
-                        SpeedFilter::notch_centre_hz(speed, speed.max_speed_radps), time_step_s);
+void FeedbackParams::check_time_step(const InputFile& in, double time_step_s) const {
+  const auto require_below_nyquist = [&](const char* key, const char* what, double frequency_hz) {
+    if (frequency_hz < 0.5 / time_step_s) return;
+    in.fail(key, what + shortest(frequency_hz) + " Hz, expected less than " +
+                     shortest(0.5 / time_step_s) + " Hz, half the rate at which the host calls");
+  };
+  require_below_nyquist("SpeedLowPass", "found ", speed.low_pass_hz);
+  require_below_nyquist("NotchBandwidth", "found ", speed.notch_bandwidth_hz);
+  require_below_nyquist("NotchTracking", "found ", speed.notch_tracking_hz);
+  require_below_nyquist("FadingLowPass", "found ", fading.low_pass_hz);
+  require_below_nyquist("RatedGeneratorSpeed", "at twice this speed the notch lies at ",
+                        SpeedFilter::notch_centre_hz(speed, speed.max_speed_radps));
 }
 
 }  // namespace lac

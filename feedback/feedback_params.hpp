@@ -29,8 +29,8 @@ struct FeedbackParams {
   /// Error with file, line, key, what was found and what was expected.
   static FeedbackParams read(InputFile& in);
 
-  /// Throws Error when the time step is too long for a filter or for the actuator.
-  void check_time_step(double time_step_s) const;
+  /// Throws Error with file, line and key when the time step is too long for a filter.
+  void check_time_step(const InputFile& in, double time_step_s) const;
 };
 
 }  // namespace lac

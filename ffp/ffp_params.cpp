@@ -27,16 +27,16 @@ FfpParams FfpParams::read(InputFile& in) {
   for (std::size_t i = 1; i < pitch.size(); ++i) {
     if (pitch[i] < pitch[i - 1]) {
       in.fail("StaticPitch", "value " + std::to_string(i + 1) + " (" +
-                                 std::to_string(deg_from_rad(pitch[i])) +
+                                 shortest(deg_from_rad(pitch[i])) +
                                  " deg) falls, expected a curve that never falls");
     }
   }
   p.threshold_mps = in.number("ThresholdSpeed", p.threshold_mps, Range::between(0.0, 100.0));
   p.hysteresis_mps = in.number("Hysteresis", p.hysteresis_mps, not_negative);
   if (p.hysteresis_mps > p.threshold_mps) {
-    in.fail("Hysteresis", "found " + std::to_string(p.hysteresis_mps) +
+    in.fail("Hysteresis", "found " + shortest(p.hysteresis_mps) +
                               " m/s, expected no more than ThresholdSpeed, " +
-                              std::to_string(p.threshold_mps) + ": it would never go off");
+                              shortest(p.threshold_mps) + ": it would never go off");
   }
   p.fade_time_s = in.number("FadeTime", p.fade_time_s, fade_s);
   p.max_rate_radps =
@@ -49,16 +49,15 @@ void FfpParams::check_time_step(const InputFile& in, double time_step_s) const {
   const double nyquist_hz = 0.5 / time_step_s;
   const auto require_below_nyquist = [&](const char* key, double frequency_hz) {
     if (frequency_hz < nyquist_hz) return;
-    in.fail(key, "found " + std::to_string(frequency_hz) + " Hz, expected less than " +
-                     std::to_string(nyquist_hz) + " Hz, half the rate at which the host calls");
+    in.fail(key, "found " + shortest(frequency_hz) + " Hz, expected less than " +
+                     shortest(nyquist_hz) + " Hz, half the rate at which the host calls");
   };
   const std::vector<double>& cutoff = cutoff_hz.y();
   require_below_nyquist("CutOffFrequency", *std::max_element(cutoff.begin(), cutoff.end()));
   require_below_nyquist("DelayFrequency", delay_frequency_hz);
   if (fade_time_s < time_step_s) {
-    in.fail("FadeTime", "found " + std::to_string(fade_time_s) +
-                            " s, expected at least one step of " + std::to_string(time_step_s) +
-                            " s: it would be a jump");
+    in.fail("FadeTime", "found " + shortest(fade_time_s) + " s, expected at least one step of " +
+                            shortest(time_step_s) + " s: it would be a jump");
   }
 }
 

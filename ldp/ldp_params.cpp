@@ -20,13 +20,13 @@ LdpParams LdpParams::read(InputFile& in) {
   p.maximum_age_s = in.number("MaximumAge", 2.0 * p.scan_time_s, Range::positive());
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
   if (p.required_lead_s + p.scan_time_s >= p.longest_lead_s) {
-    in.fail("LongestLead", "found " + std::to_string(p.longest_lead_s) +
+    in.fail("LongestLead", "found " + shortest(p.longest_lead_s) +
                                " s, expected more than RequiredLead plus ScanTime");
   }
   if (p.settling_time_s > p.mean_speed_window_s) {
-    in.fail("SettlingTime", "found " + std::to_string(p.settling_time_s) +
+    in.fail("SettlingTime", "found " + shortest(p.settling_time_s) +
                                 " s, expected no more than MeanSpeedWindow, " +
-                                std::to_string(p.mean_speed_window_s) + " s");
+                                shortest(p.mean_speed_window_s) + " s");
   }
   in.finish();
   return p;
@@ -35,8 +35,8 @@ LdpParams LdpParams::read(InputFile& in) {
 void LdpParams::check_time_step(const InputFile& in, double time_step_s) const {
   const auto require_a_step = [&](const char* key, double time_s) {
     if (time_s >= time_step_s * (1.0 - 1e-9)) return;
-    in.fail(key, "found " + std::to_string(time_s) + " s, expected at least one step of " +
-                     std::to_string(time_step_s) + " s");
+    in.fail(key, "found " + shortest(time_s) + " s, expected at least one step of " +
+                     shortest(time_step_s) + " s");
   };
   require_a_step("ScanTime", scan_time_s);
   require_a_step("MeanSpeedWindow", mean_speed_window_s);

@@ -38,11 +38,11 @@ void read_statistics(InputFile& in, TiEstimatorParams& p) {
 
 void read_correction(InputFile& in, TiEstimatorParams& p) {
   CorrectionParams& c = p.correction;
-  c.model = iec_kaimal(1.0, in.number("HubHeight", Range::positive()));
+  c.model = iec_kaimal(1.0, in.number("HubHeight", {0.0, 500.0, false}));
   c.averaging_time_s = p.averaging_time_s;
   c.scan_rate_hz = 1.0 / p.scan_time_s;
-  c.max_frequency_hz = in.number("MaximumFrequency", c.max_frequency_hz, Range::positive());
-  c.pulse_width_m = in.number("PulseWidth", c.pulse_width_m, Range::not_negative());
+  c.max_frequency_hz = in.number("MaximumFrequency", c.max_frequency_hz, {0.0, 1000.0, false});
+  c.pulse_width_m = in.number("PulseWidth", c.pulse_width_m, Range::between(0.0, 500.0));
   c.lateral_coherence =
       static_cast<LateralCoherence>(in.choice("LateralCoherence", 0, {"same_as_u", "independent"}));
   c.low_frequencies =
@@ -87,7 +87,7 @@ void read_power_level(InputFile& in, TiEstimatorParams& p) {
   PowerLevelParams& g = p.power_level;
   g.rated_intensity = in.number("TIRated", g.rated_intensity, Range::positive());
   g.zero_intensity = in.number("TI0", g.zero_intensity, Range::positive());
-  g.maximum = in.number("MaximumPowerLevel", g.maximum, Range::between(0.0, 2.0));
+  g.maximum = in.number("MaximumPowerLevel", g.maximum, {0.0, 2.0, false});
   g.rate_1ps = in.number("PowerLevelRate", g.rate_1ps, Range::positive());
   if (g.zero_intensity <= g.rated_intensity) {
     in.fail("TI0", "found " + std::to_string(g.zero_intensity) + ", expected more than TIRated (" +

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/discon_module.hpp"
@@ -16,12 +18,13 @@ namespace lac {
 namespace {
 
 int alive = 0;
+int most_alive = 0;
 std::vector<std::string> asked;
 StartInfo started_with;
 
 class Noting final : public DisconModule {
  public:
-  Noting() { ++alive; }
+  Noting() { most_alive = std::max(most_alive, ++alive); }
   ~Noting() override { --alive; }
   void step(SwapView swap, double time_s, Notice& notice) noexcept override {
     asked.push_back("step " + std::to_string(time_s));
@@ -105,6 +108,56 @@ TEST_F(Entry, UnknownStatusesDoNothing) {
     EXPECT_TRUE(std::equal(before.begin() + 51, before.end(), h.array.begin() + 51));
   }
   EXPECT_THAT(asked, ElementsAre("step 0.000000"));
+}
+
+// A status that is no whole number is an unknown one: not the nearest.
+TEST_F(Entry, FractionsAreNoStatus) {
+  test::TestHost h = host();
+  h.call(0);
+  for (const float status : {0.4f, 0.5f, 1.2f, -0.7f, NAN, INFINITY}) {
+    h.set(Rec::Status, status);
+    int fail = 77;
+    discon_entry(h.array.data(), &fail, "a.IN", "case.SrvD", nullptr);
+    EXPECT_EQ(fail, 0) << status;
+  }
+  EXPECT_THAT(asked, ElementsAre("step 0.000000"));
+}
+
+// Records 3, 50 and 51 must make sense at the first call; none is taken for something else.
+TEST_F(Entry, NonsenseInTheFirstCall) {
+  const auto refusal = [](Rec record, float value) {
+    test::TestHost h = host();
+    h.set(Rec::Status, 0.0f);
+    h.set(Rec::MessageCapacity, 200.0f);
+    h.set(Rec::InFileLength, 4.0f);
+    h.set(Rec::OutNameLength, 9.0f);
+    h.set(record, value);
+    int fail = 0;
+    char message[200] = "";
+    discon_entry(h.array.data(), &fail, "a.IN", "case.SrvD", message);
+    EXPECT_EQ(fail, -1);
+    return std::string(message);
+  };
+  for (const float step : {0.0f, -0.0125f, 1e-30f, 2e3f, NAN, INFINITY}) {
+    EXPECT_THAT(refusal(Rec::TimeStep, step), HasSubstr("expected 1e-05 to 1000 s"));
+  }
+  for (const float length : {-1.0f, 65537.0f, NAN, INFINITY}) {
+    EXPECT_THAT(refusal(Rec::InFileLength, length),
+                HasSubstr("record 50 (characters in accINFILE) is "));
+    EXPECT_THAT(refusal(Rec::OutNameLength, length), HasSubstr("expected 0 to 65536"));
+  }
+  EXPECT_TRUE(asked.empty());
+}
+
+// A run that was never ended is gone before the next one of that turbine is built.
+TEST_F(Entry, SecondFirstCallEndsTheRunBefore) {
+  test::TestHost h = host();
+  h.call(0);
+  h.call(1);
+  most_alive = 0;
+  EXPECT_EQ(h.call(0), 0) << h.message();
+  EXPECT_EQ(most_alive, 1);
+  EXPECT_EQ(alive, 1);
 }
 
 // Errors of any kind end here, with the name of the module in front.

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "core/error.hpp"
 #include "support/temp_folder.hpp"
 
@@ -73,6 +76,32 @@ TEST(DisconLibrary, SaysWhyNot) {
   EXPECT_THAT(refusal(folder.write("libtext.so", "text")),
               HasSubstr("cannot be loaded: it is not a library for this system"));
   EXPECT_THAT(refusal(folder.write("libempty.so", "")), HasSubstr("not a library for this system"));
+}
+
+// A library cut off anywhere is refused: the loader of the system would end the process.
+TEST(DisconLibrary, CutOffFile) {
+  std::ifstream file(kToy, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  const test::TempFolder folder;
+  for (const std::size_t kept : {std::size_t{3000}, whole.size() / 2}) {
+    EXPECT_THAT(refusal(folder.write("libcut.so", whole.substr(0, kept))),
+                HasSubstr("libcut.so: cannot be loaded: the file is shorter than its own headers"));
+  }
+  EXPECT_THAT(refusal(folder.write("libcut.so", whole.substr(0, 40))),
+              HasSubstr("cannot be loaded"));
+  EXPECT_EQ(refusal(folder.write("libcut.so", whole)), "opened");
+}
+
+// A library for another machine is named as such.
+TEST(DisconLibrary, WrongMachine) {
+  std::ifstream file(kToy, std::ios::binary);
+  std::string other{std::istreambuf_iterator<char>(file), {}};
+  const bool here_x86_64 = other[18] == 62;
+  other[18] = here_x86_64 ? '\xb7' : '\x3e';
+  const test::TempFolder folder;
+  EXPECT_THAT(refusal(folder.write("libother.so", other)),
+              HasSubstr(here_x86_64 ? "it is a 64-bit library for ARM64; this process is 64-bit"
+                                    : "it is a 64-bit library for x86-64; this process is 64-bit"));
 }
 
 // A bare name at last goes to the system's own search; the C library is there, and no controller.

@@ -56,6 +56,26 @@ TEST(InputFile, WindowsLineEndsAndByteOrderMark) {
   EXPECT_EQ(in.text("B"), "text");
 }
 
+// Lines may end as on old Macintoshes: nothing hides behind a comment in the first one.
+TEST(InputFile, CarriageReturnAlone) {
+  InputFile in = of("! c\r1 ! A\rx ! B\r\n");
+  EXPECT_EQ(in.number("A"), 1.0);
+  EXPECT_EQ(in.text("B"), "x");
+  EXPECT_EQ(refusal([] { of("! c\r1 ! A\r\rx\r"); }).substr(0, 11), "dir/x.IN:4:");
+}
+
+// What is no text is named as such; long and unprintable words do not hide what was expected.
+TEST(InputFile, RubbishIsQuotedWithCare) {
+  EXPECT_THAT(refusal([] { of(std::string("1 ! A\n\0\0", 8)); }),
+              HasSubstr("dir/x.IN: byte 7 is zero: found a binary or UTF-16 file"));
+  const std::string word(9000, 'z');
+  EXPECT_EQ(refusal([&] { of(word + " ! A").number("A"); }),
+            "dir/x.IN:1: A: found '" + word.substr(0, 60) + "...', expected a number");
+  EXPECT_THAT(refusal([&] { of("1 ! " + word).finish(); }), HasSubstr("zzz...: unknown key"));
+  EXPECT_EQ(refusal([&] { of("a\033[1m\x7f ! A").integer("A"); }),
+            "dir/x.IN:1: A: found 'a?[1m?', expected a number");
+}
+
 // Each refusal names file, line, key, what was found and what was expected.
 TEST(InputFile, RefusalsAreComplete) {
   const auto with = [](const std::string& line, const std::function<void(InputFile&)>& read) {

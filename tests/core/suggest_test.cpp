@@ -24,6 +24,12 @@ TEST(Suggest, KeepsQuietWhenNothingIsClose) {
   EXPECT_EQ(closest("x", {}), "");
 }
 
+// Two letters in the wrong order are one mistake, so that short words are found as well.
+TEST(Suggest, SwappedLetters) {
+  EXPECT_EQ(closest("rnu", {"check", "run"}), "run");
+  EXPECT_EQ(closest("unr", {"check", "run"}), "");
+}
+
 TEST(Suggest, EqualIgnoringCase) {
   EXPECT_TRUE(equal_ignoring_case("NatiVe", "native"));
   EXPECT_FALSE(equal_ignoring_case("native", "natives"));

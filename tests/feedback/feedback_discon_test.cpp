@@ -157,9 +157,9 @@ TEST(FeedbackLibrary, NeedsTheMasterForTheChain) {
 
 // A wrong input file and a time step too long fail with a message.
 TEST(FeedbackLibrary, RefusesBadStarts) {
-  DisconCaller wrong("liblac_feedback", variant("bad", "MaxTorque", "1 ! MaxTorque - x"));
+  DisconCaller wrong("liblac_feedback", variant("bad", "MaximumTorque", "1 ! MaximumTorque - x"));
   EXPECT_LT(wrong.call(0), 0);
-  EXPECT_THAT(wrong.message(), AllOf(HasSubstr("feedback: "), HasSubstr(":6: MaxTorque")));
+  EXPECT_THAT(wrong.message(), AllOf(HasSubstr("feedback: "), HasSubstr(":6: MaximumTorque")));
   DisconCaller slow("liblac_feedback", test::kShippedInput);
   slow.set_time_step(2.0);
   EXPECT_LT(slow.call(0), 0);

@@ -94,11 +94,11 @@ TEST(FeedbackParams, ConstantTorqueLowersTheGains) {
 
 // Values that do not fit together are refused with file, line and key.
 TEST(FeedbackParams, RefusesWhatDoesNotFit) {
-  EXPECT_THAT(error_of(shipped_text("MaxTorque", "40000 ! MaxTorque - x")),
-              AllOf(HasSubstr("feedback.IN:6: MaxTorque"), HasSubstr("RatedTorque")));
+  EXPECT_THAT(error_of(shipped_text("MaximumTorque", "40000 ! MaximumTorque - x")),
+              AllOf(HasSubstr("feedback.IN:6: MaximumTorque"), HasSubstr("RatedTorque")));
   EXPECT_THAT(error_of(shipped_text("CutInSpeed", "800 ! CutInSpeed - x")),
               HasSubstr("LowSpeedSetPoint: found"));
-  EXPECT_THAT(error_of(shipped_text("MaxPitch", "-1 ! MaxPitch - x")), HasSubstr("FinePitch"));
+  EXPECT_THAT(error_of(shipped_text("MaximumPitch", "-1 ! MaximumPitch - x")), HasSubstr("FinePitch"));
   EXPECT_THAT(error_of(shipped_text("FadingSpeed", "250 ! FadingSpeed - x")),
               AllOf(HasSubstr("FadingSpeed"), HasSubstr("250"), HasSubstr("198.85")));
   EXPECT_THAT(error_of(shipped_text("DesignWindSpeed", "16 12 ! DesignWindSpeed - x")),
@@ -119,12 +119,14 @@ TEST(FeedbackParams, RefusesWhatDoesNotFit) {
 // A time step too long for a filter is refused with the key and both numbers.
 TEST(FeedbackParams, RefusesAStepTooLongForTheFilters) {
   const FeedbackParams p = test::shipped_params();
-  EXPECT_NO_THROW(p.check_time_step(0.1));
+  const InputFile in = InputFile::parse(shipped_text(), "feedback.IN");
+  EXPECT_NO_THROW(p.check_time_step(in, 0.1));
   try {
-    p.check_time_step(1.2);
+    p.check_time_step(in, 1.2);
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("SpeedLowPass"), HasSubstr("0.41666")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("feedback.IN:"), HasSubstr("SpeedLowPass: found 0.5"),
+                                    HasSubstr("0.41666")));
   }
 }
 
