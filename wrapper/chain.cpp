@@ -2,6 +2,7 @@
 #include "wrapper/chain.hpp"
 
 #include "core/discon_abi.h"
+#include "core/error.hpp"
 
 namespace lac {
 namespace {
@@ -26,6 +27,11 @@ Chain::Chain(WrapperParams params, const StartInfo& start, SwapView host,
     secondaries_.push_back(std::make_unique<Secondary>(params_, s, wrapper_folder, start.out_name));
   }
   std::filesystem::path output = params_.output.path(start.out_name);
+  if (params_.output.enabled && params_.output.file.empty() && start.out_name.empty()) {
+    throw Error(params_.file.string() +
+                ": OutputFile: missing, and the host passed no root name (record 51) that the "
+                "output file could be named after");
+  }
   if (start.is_restart()) {
     step_ = start.steps + 1;
     output.replace_filename(output.stem().string() + "." + std::to_string(step_) +

@@ -30,6 +30,10 @@ int count_rows(InputFile& in) {
     }
     count = n;
   }
+  if (in.has(row_key(kMostSecondaries + 1))) {
+    in.fail(row_key(kMostSecondaries + 1),
+            "expected at most " + std::to_string(kMostSecondaries) + " secondaries");
+  }
   return count;
 }
 
@@ -122,7 +126,12 @@ OutputParams read_output(InputFile& in) {
   out.decimation = in.integer("OutputDecimation", 1, kCount);
   if (in.has("OutputChannels")) {
     for (const std::string& word : in.texts("OutputChannels")) {
-      out.channels.push_back(find_channel(in, word));
+      OutputChannel c = find_channel(in, word);
+      const auto same = [&](const OutputChannel& o) { return o.channel.name == c.channel.name; };
+      if (std::ranges::any_of(out.channels, same)) {
+        in.fail("OutputChannels", "found '" + word + "' twice, expected each channel once");
+      }
+      out.channels.push_back(std::move(c));
     }
   } else if (out.enabled) {
     in.fail("OutputChannels", "missing, OutputFormat asks for an output file");

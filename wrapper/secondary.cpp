@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/call_strings.hpp"
+#include "core/error.hpp"
 
 namespace lac {
 namespace {
@@ -36,7 +37,8 @@ void LentBuffer::set(std::string_view text) noexcept {
 }
 
 bool LentBuffer::holds(std::string_view text) const noexcept {
-  return std::memcmp(bytes_.data(), text.data(), text.size()) == 0 && bytes_[text.size()] == '\0';
+  return text.size() < capacity_ && bytes_[text.size()] == '\0' &&
+         std::memcmp(bytes_.data(), text.data(), text.size()) == 0;
 }
 
 bool LentBuffer::guard_intact() const noexcept {
@@ -56,6 +58,11 @@ Secondary::Secondary(const WrapperParams& params, const SecondaryParams& seconda
       out_root_(without_host_suffix(host_out_name) + "." + name_ + ".SrvD"),
       in_buffer_(in_file_.size() + 8) {
   prepare_to_catch();
+  if (out_root_.size() >= kOutNameCapacity) {
+    throw Error("root name of the run is too long: " + std::to_string(out_root_.size()) +
+                " characters with the name of " + name_ + ", expected fewer than " +
+                std::to_string(kOutNameCapacity));
+  }
   in_buffer_.set(in_file_);
   out_buffer_.set(out_root_);
 }
@@ -96,9 +103,8 @@ void Secondary::call_as(PrivateArray& array, int status, std::string_view in_fil
   } catch (...) {
     fail_ = -1;
     message_text_ = "the library threw a C++ exception";
-    return;
   }
-  if (fail_ != 0) message_text_ = read_message(in_file);
+  if (fail_ != 0 && message_text_.empty()) message_text_ = read_message(in_file);
   check_guards(array);
 }
 
@@ -124,7 +130,11 @@ std::string_view Secondary::read_message(std::string_view in_file) noexcept {
     std::memmove(text + length, text + length + 1, kMessageCapacity - length - 1);
     length = read_string(text, kMessageCapacity).size();
   }
-  const std::string_view all(text, length);
+  std::string_view all(text, length);
+  // Our own libraries begin with their name, which the label says already.
+  if (all.starts_with(name_) && all.substr(name_.size()).starts_with(": ")) {
+    all.remove_prefix(name_.size() + 2);
+  }
   const std::size_t last = all.find_last_not_of(" \r\n\t");
   return last == std::string_view::npos ? "(no text)" : all.substr(0, last + 1);
 }

@@ -21,7 +21,8 @@ SignalLog::SignalLog(const OutputParams& params, const std::filesystem::path& fi
 }
 
 bool SignalLog::take(PrivateArray& array, std::int64_t step) noexcept {
-  if (step % decimation_ != 0) return true;
+  if (step % decimation_ != 0 || step <= last_step_) return true;
+  last_step_ = step;
   for (std::size_t i = 0; i < records_.size(); ++i) row_[i] = *array.record(records_[i]);
   return writer_->append(row_.data());
 }

@@ -20,7 +20,8 @@ class SignalLog {
   SignalLog(const OutputParams& params, const std::filesystem::path& file, double time_step_s,
             std::int64_t first_step);
 
-  /// Takes every OutputDecimation-th call; false if the disk has refused a block.
+  /// Takes every OutputDecimation-th call; false if the disk has refused a block. Steps that are
+  /// done again after a restore (-10) are not taken again: the rows stay equidistant in time.
   /// [real time but for one write per block]
   bool take(PrivateArray& array, std::int64_t step) noexcept;
 
@@ -31,6 +32,7 @@ class SignalLog {
   std::vector<int> records_;
   std::vector<float> row_;
   std::int64_t decimation_;
+  std::int64_t last_step_ = -1;
   std::unique_ptr<TableWriter> writer_;
 };
 

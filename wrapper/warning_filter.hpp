@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/instance_table.hpp"
+#include "core/hash.hpp"
 #include "core/state_archive.hpp"
 
 namespace lac {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "core/chain_block.hpp"
 #include "core/discon_library.hpp"
 #include "core/discon_module.hpp"
 #include "core/error.hpp"
@@ -13,8 +14,7 @@ const char* module_name() {
 }
 
 std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
-  if (swap.size() >= kPrivateArraySize &&
-      swap.integer(Rec::ChainVersion, 0) == kChainLayoutVersion) {
+  if (has_chain_block(swap)) {
     throw Error("the wrapper is called by a wrapper: put all secondaries into one input file");
   }
   InputFile in = InputFile::load(start.input_file);

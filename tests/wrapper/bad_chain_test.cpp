@@ -24,6 +24,16 @@ class BadChain : public ChainTest {
   std::string in_file() const { return folder.file("chain.IN"); }
 };
 
+// Without a root name from the host there is nothing to name an output file after.
+TEST_F(BadChain, OutputWithoutARootName) {
+  folder.write("s.txt", "");
+  const std::string file = folder.write(
+      "chain.IN", row(toy("toy_empty")) + "csv ! OutputFormat -\nrec20 ! OutputChannels -\n");
+  TestHost host(master.entry(), file, "");
+  EXPECT_EQ(host.call(0), -1);
+  EXPECT_THAT(host.message(), HasSubstr("chain.IN: OutputFile: missing, and the host passed no"));
+}
+
 TEST_F(BadChain, MissingInputFile) {
   TestHost host = host_for(folder.file("no.IN"));
   EXPECT_EQ(host.call(0), -1);
@@ -110,6 +120,13 @@ TEST_F(BadChain, Rows) {
 }
 
 TEST_F(BadChain, Keys) {
+  const std::string lib = toy("toy_empty");
+  std::string many;
+  for (int n = 1; n <= 65; ++n) {
+    const std::string number = std::to_string(n);
+    many += "a" + number + " " + lib + " s.txt ! Secondary_" + number + " -\n";
+  }
+  EXPECT_THAT(message_for(many), HasSubstr(":65: Secondary_65: expected at most 64 secondaries"));
   const std::string r = row(toy("toy_empty"));
   EXPECT_THAT(message_for(r + "nativ ! LidarLayout -\n"),
               HasSubstr(":3: LidarLayout: found 'nativ', expected one of none, native, guo "
@@ -121,7 +138,7 @@ TEST_F(BadChain, Keys) {
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec3713 ! OutputChannels -\n"),
               HasSubstr("found 'rec3713'"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec20 rec20 ! OutputChannels -\n"),
-              HasSubstr("'rec20' occurs twice"));
+              HasSubstr(":4: OutputChannels: found 'rec20' twice"));
   EXPECT_THAT(
       message_for(r + "csv ! OutputFormat -\nx.outb ! OutputFile -\nrec20 ! OutputChannels"),
       HasSubstr(":4: OutputFile: found 'x.outb', expected the ending .csv"));

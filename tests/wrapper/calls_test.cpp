@@ -143,7 +143,7 @@ TEST_F(Calls, RepeatedFirstCallReplacesTheRun) {
   EXPECT_EQ(host.call(0), 0);
   EXPECT_EQ(host.get(Rec::PitchDemandCollective), 0.0f);
   host.call(-1);
-  EXPECT_EQ(folder.read("calls.log"), "a 0\na 1\na 0\na -1\na -1\n");
+  EXPECT_EQ(folder.read("calls.log"), "a 0\na 1\na -1\na 0\na -1\n");
 }
 
 }  // namespace

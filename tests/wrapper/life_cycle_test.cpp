@@ -70,6 +70,27 @@ TEST_F(LifeCycle, RestartFromABadCheckpoint) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("d.chkp")));
 }
 
+// Two rotors that the host calls with the same names are told; their checkpoints would meet.
+TEST_F(LifeCycle, TwoTurbinesWithTheSameNames) {
+  const std::string in = write_chain({{"one", "toy_state", "", ""}});
+  TestHost a = host_for(in);
+  TestHost b = host_for(in);
+  ASSERT_EQ(a.call(0), 0);
+  EXPECT_EQ(b.call(0), 1);
+  EXPECT_THAT(b.message(), HasSubstr("the same input file and root name"));
+  EXPECT_EQ(a.call_with(-8, folder.file("c.chkp")), -1);
+  EXPECT_THAT(a.message(), HasSubstr("would overwrite each other"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("c.chkp")));
+}
+
+// A root name that no buffer of a secondary could hold is refused at the start.
+TEST_F(LifeCycle, TooLongARootName) {
+  const std::string in = write_chain({{"one", "toy_state", "", ""}});
+  TestHost host(master.entry(), in, std::string(14000, 'r'));
+  EXPECT_EQ(host.call(0), -1);
+  EXPECT_THAT(host.message(), HasSubstr("root name of the run is too long"));
+}
+
 // -11 keeps and -10 brings back the master and those secondaries that say they can.
 TEST_F(LifeCycle, StoreAndRestore) {
   TestHost host = host_for(write_chain({{"one", "toy_state", "", ""}}));

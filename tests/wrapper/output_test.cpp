@@ -32,6 +32,17 @@ TEST_F(Output, CsvWithDecimation) {
             "0,122.9,1,9.5,3\n0.025,122.9,3,9.5,3\n0.05,122.9,5,9.5,3\n");
 }
 
+// Steps done again after a restore are not written again: rows stay equidistant in time.
+TEST_F(Output, RedoneStepsStandOnce) {
+  const auto in = write_chain({{"a", "toy_state", "", ""}},
+                              "csv ! OutputFormat -\nTorqueDemand ! OutputChannels -\n");
+  TestHost host = host_for(in);
+  for (const int status : {0, 1, -11, 1, -10, 1, 1, -1}) ASSERT_GE(host.call(status), 0);
+  const std::string text = folder.read("case.lac.csv");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 4);
+  EXPECT_THAT(text, HasSubstr("\n0.0375,"));
+}
+
 // A name of the user's, relative to the folder of the root name; the file is there at the end only.
 TEST_F(Output, NamedOutb) {
   TestHost host =
