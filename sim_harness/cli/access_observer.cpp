@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/cli/access_observer.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 
 #include "core/error.hpp"
+#include "sim_harness/cli/instruction_width.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)
 #define LAC_CAN_TRAP 1
@@ -40,37 +38,6 @@ void protect(int access) {
   mprotect(watched.first, watched.bytes, access);
 }
 
-/// Width of the memory operand of the instruction: only the forms that move or use floats.
-std::size_t access_bytes(const std::uint8_t* code) {
-  bool single = false, twice = false, half = false, wide = false;
-  for (;; ++code) {
-    if (*code == 0xF3) {
-      single = true;
-    } else if (*code == 0xF2) {
-      twice = true;
-    } else if (*code == 0x66) {
-      half = true;
-    } else if ((*code & 0xF0) == 0x40) {
-      wide = (*code & 0x08) != 0;
-    } else {
-      break;
-    }
-  }
-  if (*code != 0x0F) return wide ? 8 : half ? 2 : 4;
-  const std::uint8_t op = code[1];
-  if (op == 0x2E || op == 0x2F) return half ? 8 : 4;                          // compare
-  if (op == 0x12 || op == 0x13 || op == 0x16 || op == 0x17) return 8;         // half a register
-  if (op == 0x7E || op == 0xD6) return single || op == 0xD6 || wide ? 8 : 4;  // movq, movd
-  if (op == 0x6E) return wide ? 8 : 4;
-  if (op == 0x6F || op == 0x7F) return 16;
-  if (op == 0x5A && !single && !twice) return half ? 16 : 8;  // cvtps2pd, cvtpd2ps
-  if (op == 0xB6 || op == 0xBE) return 1;
-  if (op == 0xB7 || op == 0xBF) return 2;
-  const bool sse = op == 0x10 || op == 0x11 || op == 0x14 || op == 0x15 || op == 0x28 ||
-                   op == 0x29 || (op >= 0x51 && op <= 0x5F) || op == 0xC2 || op == 0xC6;
-  return sse ? (single ? 4 : twice ? 8 : 16) : 4;
-}
-
 void on_fault(int, siginfo_t* info, void* context) {
   const auto offset = reinterpret_cast<std::uintptr_t>(info->si_addr) -
                       reinterpret_cast<std::uintptr_t>(watched.first);
@@ -82,9 +49,8 @@ void on_fault(int, siginfo_t* info, void* context) {
   const bool write = (registers[REG_ERR] & kWriteAccess) != 0;
   auto& touched = write ? watched.accesses->written : watched.accesses->read;
   const auto* code = reinterpret_cast<const std::uint8_t*>(registers[REG_RIP]);  // NOLINT
-  const std::size_t first = offset / sizeof(float);
-  const std::size_t count = std::max<std::size_t>(1, access_bytes(code) / sizeof(float));
-  for (std::size_t i = first; i < first + count && i + 1 < touched.size(); ++i) {
+  const std::size_t last = (offset + memory_operand_bytes(code) - 1) / sizeof(float);
+  for (std::size_t i = offset / sizeof(float); i <= last && i + 1 < touched.size(); ++i) {
     touched[i + 1] = true;
   }
   protect(PROT_READ | PROT_WRITE);
@@ -120,7 +86,7 @@ ObservedArray::~ObservedArray() {
   munmap(data_, bytes_);
 }
 
-void ObservedArray::watch(Accesses& into) {
+void ObservedArray::begin(Accesses& into) {
   watched.first = data_;
   watched.bytes = bytes_;
   watched.accesses = &into;
@@ -129,7 +95,7 @@ void ObservedArray::watch(Accesses& into) {
   protect(PROT_NONE);
 }
 
-void ObservedArray::stop() {
+void ObservedArray::end() noexcept {
   protect(PROT_READ | PROT_WRITE);
   sigaction(SIGSEGV, &watched.old_segv, nullptr);
   sigaction(SIGTRAP, &watched.old_trap, nullptr);
@@ -147,12 +113,12 @@ ObservedArray::~ObservedArray() {
   delete[] data_;
 }
 
-void ObservedArray::watch(Accesses& into) {
+void ObservedArray::begin(Accesses& into) {
   accesses_ = &into;
   before_.assign(data_, data_ + size_);
 }
 
-void ObservedArray::stop() {
+void ObservedArray::end() noexcept {
   for (int i = 0; i < size_; ++i) {
     const bool same = std::bit_cast<std::uint32_t>(data_[i]) ==
                       std::bit_cast<std::uint32_t>(before_[static_cast<std::size_t>(i)]);

@@ -22,13 +22,14 @@ struct SecondaryAccess {
   std::string problem;               // why it was not observed to the end; empty if it was
 };
 
-/// Calls the secondaries of a chain one after the other on one array, as the master does, for
-/// kObservedSteps steps of level flight with a lidar, and notes who touches what. host_array:
-/// what the host sends in its first call. out_root: root of files that secondaries may write.
-/// Throws lac::Error if a library cannot be loaded.
+/// Calls the secondaries of a chain one after the other with the master's own parts (HostLink,
+/// Secondary, PrivateArray) for kObservedSteps steps of level flight, with a lidar in the layout
+/// the chain asks for, and notes who touches what. One that fails is not called again but for
+/// its last call. host_array: what the host sends in its first call. out_name: root of files
+/// that secondaries may write. Throws lac::Error if a library cannot be loaded.
 std::vector<SecondaryAccess> observe_chain(const WrapperParams& chain,
                                            const std::filesystem::path& master_folder,
-                                           const std::vector<float>& host_array,
-                                           const std::string& out_root);
+                                           std::vector<float> host_array,
+                                           const std::string& out_name);
 
 }  // namespace lac::sim

@@ -19,7 +19,8 @@ struct RunOptions {
 void run_command(const RunOptions& options, std::ostream& out);
 
 /// `lac check`: reads the input of the master, finds and loads all libraries, makes a first and a
-/// last call through the real master, prints the order of calls and who reads and writes what.
+/// last call with the master's own code, its output file left out, prints the order of calls and
+/// who reads and writes which record. Throws lac::Error.
 void check_command(const std::filesystem::path& wrapper_input, std::ostream& out);
 
 /// `lac --version`.

@@ -28,7 +28,10 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& at = chosen.empty() ? app : *chosen.front();
   const std::vector<std::string> extras = app.remaining(true);
-  if (extras.empty()) return error.what();
+  if (extras.empty()) {
+    return std::string(error.what()) + "; 'lac" + (chosen.empty() ? "" : " " + at.get_name()) +
+           " --help' lists what there is";
+  }
   const std::string word = extras.front().substr(0, extras.front().find('='));
   const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "word";
   return "unknown " + what + " '" + word + "'" + lac::did_you_mean(word, known_words(at)) +

@@ -68,7 +68,8 @@ TEST_F(LacProgramTest, WrongWords) {
   expect_failure("rum case.yaml", "unknown command 'rum' (did you mean 'run'?)");
   expect_failure("--versoin", "unknown option '--versoin' (did you mean '--version'?)");
   expect_failure("run case.yaml --outptu=x", "'--outptu' (did you mean '--output'?)");
-  expect_failure("run", "case is required");
+  expect_failure("rnu", "unknown command 'rnu' (did you mean 'run'?)");
+  expect_failure("run", "case is required; 'lac run --help' lists what there is");
   expect_failure("run case.yaml more", "unknown word 'more'");
 }
 
@@ -92,7 +93,7 @@ TEST_F(LacProgramTest, RunWithWrongOverride) {
 }
 
 TEST_F(LacProgramTest, RunFailures) {
-  expect_failure("run none.yaml", "none.yaml: cannot be read; expected a YAML file");
+  expect_failure("run none.yaml", "none.yaml: cannot be read: no such file; expected a YAML file");
   files_.file("speed_mps: 18", "sped: 18");
   expect_failure("run case.yaml", "case.yaml:6: wind.speed_mps: the key is missing");
   files_.file("/libhost_probe}", "/libnot_there}");
@@ -129,6 +130,59 @@ TEST_F(LacProgramTest, CheckFailures) {
   expect_failure(chain("liblac_ldp", "ldp.IN"), "ldp.IN");
   files_.folder.write("chain.IN", "none ! LidarLayuot - \n");
   expect_failure("check chain.IN", "chain.IN");
+}
+
+// A trial leaves the user's results alone, also those with an absolute name.
+TEST_F(LacProgramTest, CheckLeavesResultsAlone) {
+  const std::string result = files_.folder.write("result.csv", "an hour of work\n");
+  files_.folder.write("toy.IN", "set 47 1000\n");
+  const std::string rows = "\"toy\" \"" LAC_TOY_DIR
+                           "/libtoy_script\" \"toy.IN\" ! Secondary_1 - \n"
+                           "csv ! OutputFormat - \nGeneratorSpeed ! OutputChannels - \n";
+  files_.folder.write("chain.IN", rows + "\"" + result + "\" ! OutputFile - \n");
+  const Outcome o = lac("check chain.IN");
+  EXPECT_EQ(o.exit_code, 0) << o.error;
+  EXPECT_EQ(files_.folder.read("result.csv"), "an hour of work\n");
+  EXPECT_FALSE(fs::exists(result + ".part"));
+  files_.folder.write("chain.IN", rows + "/not/there/result.csv ! OutputFile - \n");
+  expect_failure("check chain.IN", "OutputFile: /not/there/result.csv cannot be created");
+}
+
+// A secondary that fails after the first call, in every way there is: not ready to fly.
+TEST_F(LacProgramTest, CheckFindsLateFailures) {
+  const auto row = [](const std::string& name, int number) {
+    return "\"" + name + "\" \"" LAC_TOY_DIR "/libtoy_script\" \"" + name + ".IN\" ! Secondary_" +
+           std::to_string(number) + " - \n";
+  };
+  files_.folder.write("chain.IN", row("bad", 1) + row("good", 2));
+  files_.folder.write("good.IN", "add 45 20 0\n");
+  const std::pair<const char*, const char*> cases[] = {
+      {"fail 1 the fuse blew\n", "bad was not observed to the end: the fuse blew"},
+      {"nan 47 1\n", "bad was not observed to the end: demand in record 47 is not finite"},
+  };
+  for (const auto& [script, text] : cases) {
+    files_.folder.write("bad.IN", script);
+    const Outcome o = lac("check chain.IN");
+    EXPECT_EQ(o.exit_code, 1) << script;
+    EXPECT_THAT(o.error, AllOf(StartsWith("lac: "), HasSubstr(text)));
+    EXPECT_THAT(o.out, ::testing::ContainsRegex("20 +GeneratorSpeed +host +good"));
+    EXPECT_THAT(o.out, ::testing::Not(HasSubstr("ready to fly")));
+  }
+  files_.folder.write("bad.IN", "fail -1 no landing\n");
+  expect_failure("check chain.IN", "no landing");
+  files_.folder.write("bad.IN", "throw\n");
+  expect_failure("check chain.IN", "the library threw a C++ exception");
+}
+
+// A chain that needs the lidar, without the key that passes it on: said, with the key's name.
+TEST_F(LacProgramTest, CheckNamesMissingLidarLayout) {
+  files_.folder.write("chain.IN", "\"ldp\" \"liblac_ldp\" \"" LAC_SOURCE_DIR
+                                  "/config/nrel5mw/ldp.IN\" ! Secondary_1 - \n");
+  const Outcome o = lac("check chain.IN");
+  EXPECT_EQ(o.exit_code, 0) << o.error;
+  EXPECT_THAT(o.out, HasSubstr("LidarLayout is none, but ldp reads the native lidar block"));
+  EXPECT_THAT(lac("check '" LAC_SOURCE_DIR "/config/nrel5mw/wrapper_lac.IN'").out,
+              ::testing::Not(HasSubstr("LidarLayout")));
 }
 
 }  // namespace
