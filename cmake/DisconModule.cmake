@@ -2,9 +2,9 @@
 # Helpers that keep the CMakeLists files a table of contents.
 
 # add_discon_module(<name> SOURCES...): the library lib<lac_name>.so that a host loads.
-# It carries its own copy of the shared core and of the C++ runtime and exports DISCON alone;
-# -fno-gnu-unique lets the loader really drop it at dlclose. The equations are a static library
-# lac_<name>_core beside it, so that tests reach them without the C boundary.
+# It carries its own copy of the shared core and of the C++ runtime and exports DISCON alone; no
+# symbol is shared with other libraries, so the loader really drops it at dlclose. The equations are
+# a static library lac_<name>_core beside it, so that tests reach them without the C boundary.
 function(add_discon_module name)
   cmake_parse_arguments(ARG "" "" "SOURCES;ENTRY" ${ARGN})
   add_library(lac_${name}_core STATIC ${ARG_SOURCES})

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <utility>
 
 #include "core/error.hpp"
@@ -76,11 +77,22 @@ void apply_override(const YAML::Node& root, const std::string& override_text) {
 }  // namespace
 
 YamlReader YamlReader::load(const std::filesystem::path& file, const Overrides& overrides) {
+  std::error_code ec;
+  if (std::filesystem::is_directory(file, ec)) {
+    throw Error(file.string() + ": is a folder, expected a YAML file");
+  }
   YAML::Node root;
   try {
-    root = YAML::LoadFile(file.string());
+    const std::vector<YAML::Node> documents = YAML::LoadAllFromFile(file.string());
+    if (documents.size() > 1) {
+      throw Error(file.string() + ": found " + std::to_string(documents.size()) +
+                  " YAML documents (lines '---'), expected one");
+    }
+    if (!documents.empty()) root = documents.front();
   } catch (const YAML::BadFile&) {
-    throw Error(file.string() + ": cannot be read; expected a YAML file");
+    const bool exists = std::filesystem::exists(file, ec);
+    throw Error(file.string() + ": cannot be read: " + (exists ? "no permission" : "no such file") +
+                "; expected a YAML file");
   } catch (const YAML::Exception& e) {
     throw Error(file.string() + ":" + std::to_string(e.mark.line + 1) +
                 ": not valid YAML: " + e.msg);
@@ -246,6 +258,19 @@ std::filesystem::path YamlReader::path(const std::string& key) {
   const std::string word = text(key);
   if (word.empty()) fail(key, "found nothing, expected a path");
   return (file_->parent_path() / word).lexically_normal();
+}
+
+std::filesystem::path YamlReader::existing_file(const std::string& key) {
+  const std::filesystem::path file = path(key);
+  std::error_code ec;
+  if (std::filesystem::is_directory(file, ec)) {
+    fail(key, "found the folder " + file.string() + ", expected a file");
+  }
+  if (!std::ifstream(file)) {
+    const bool exists = std::filesystem::exists(file, ec);
+    fail(key, file.string() + " cannot be read: " + (exists ? "no permission" : "no such file"));
+  }
+  return file;
 }
 
 double YamlReader::number(const std::string& key, double fallback, Range range) {

@@ -39,6 +39,8 @@ class YamlReader {
   std::vector<YamlReader> maps(const std::string& key);  // a list of maps, at least one
   /// Relative ones count from this file's folder.
   std::filesystem::path path(const std::string& key);
+  /// The same, of a file that is there and can be read.
+  std::filesystem::path existing_file(const std::string& key);
 
   /// ... and means the default here.
   double number(const std::string& key, double fallback, Range range);

@@ -11,6 +11,9 @@ namespace {
 constexpr char kFileNameCharacters[] =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
+constexpr double kLongest_s = 1.0e6;  // every step is kept in memory
+constexpr double kFewestSteps = 2.0;  // that a standard deviation can be taken of
+
 /// A word that makes a good file name.
 std::string file_name_word(YamlReader& in, const std::string& key, const std::string& word) {
   if (word.empty() || word.find_first_not_of(kFileNameCharacters) != std::string::npos) {
@@ -23,10 +26,12 @@ std::string file_name_word(YamlReader& in, const std::string& key, const std::st
 
 CaseTime read_time(YamlReader in) {
   CaseTime t;
-  t.duration_s = in.number("duration_s", Range::positive());
+  t.duration_s = in.number("duration_s", {0.0, kLongest_s, false});
   t.run_in_s = in.number("run_in_s", Range::not_negative());
   t.step_s = in.number("step_s", t.step_s, {1e-4, 1.0});
-  if (t.run_in_s >= t.duration_s) in.fail("run_in_s", "expected a time before duration_s");
+  if (t.duration_s - t.run_in_s < kFewestSteps * t.step_s) {
+    in.fail("run_in_s", "expected a time before duration_s, by two steps at least");
+  }
   const double steps = t.duration_s / t.step_s;
   if (std::abs(steps - std::round(steps)) > 1e-6 * steps) {
     in.fail("duration_s", "expected a multiple of step_s");
@@ -38,7 +43,7 @@ CaseTime read_time(YamlReader in) {
 CaseLidar read_case_lidar(YamlReader in) {
   CaseLidar lidar;
   if (in.has("file")) {
-    lidar.params = load_lidar(in.path("file"));
+    lidar.params = load_lidar(in.existing_file("file"));
   } else {
     lidar.params = read_lidar(in);
   }
@@ -65,7 +70,7 @@ std::vector<CaseController> read_controllers(YamlReader& in) {
     const bool taken = std::any_of(all.begin(), all.end(),
                                    [&](const CaseController& o) { return o.name == c.name; });
     if (taken) item.fail("name", "found '" + c.name + "' twice, expected different names");
-    c.input_file = item.path("input");
+    c.input_file = item.existing_file("input");
     c.library = read_library(item);
     c.entry = item.text("entry", c.entry);
     item.finish();
@@ -102,7 +107,7 @@ Case load_case(const fs::path& file, const std::vector<std::string>& overrides) 
   const std::string name =
       in.has("name") ? file_name_word(in, "name", in.text("name")) : file.stem().string();
   const std::uint64_t seed = read_seed(in);
-  Case c{.file = file, .name = name, .turbine = load_turbine(in.path("turbine"))};
+  Case c{.file = file, .name = name, .turbine = load_turbine(in.existing_file("turbine"))};
   c.seed = seed;
   if (in.has("lidar")) c.lidar = read_case_lidar(in.map("lidar"));
   YamlReader wind = in.map("wind");

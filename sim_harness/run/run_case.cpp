@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "sim_harness/output/progress.hpp"
 #include "sim_harness/run/flight.hpp"
+#include "sim_harness/run/interruption.hpp"
 #include "sim_harness/run/outb_reader.hpp"
 #include "sim_harness/run/report.hpp"
 
@@ -53,13 +54,17 @@ fs::path chain_output_file(const fs::path& root) {
 }
 
 FlownController fly_with_progress(const Case& c, const CaseController& controller,
-                                  const WindField& wind, const RotorWind& rotor_wind) {
+                                  const WindField& wind, const RotorWind& rotor_wind,
+                                  const Interruption& interruption) {
   const fs::path root = c.outputs.folder / controller.name;
   fs::remove(chain_output_file(root));
   Progress progress(controller.name);
   Warnings warnings;
   FlightReport report;
-  report.on_progress = [&](double done) { progress.update(done); };
+  report.on_progress = [&](double done) {
+    interruption.check();
+    progress.update(done);
+  };
   report.on_warning = [&](double time_s, const std::string& text) { warnings.take(time_s, text); };
   try {
     FlownController flown{controller.name, fly(c, controller, wind, rotor_wind, root, report), {}};
@@ -70,6 +75,7 @@ FlownController fly_with_progress(const Case& c, const CaseController& controlle
     return flown;
   } catch (const Error& e) {
     warnings.show(controller.name, std::cerr);
+    if (interruption.requested()) fs::remove(chain_output_file(root));
     throw Error(controller.name + ": " + e.what());
   }
 }
@@ -84,6 +90,16 @@ void write_recording(const Case& c, const FlownController& flown, std::vector<fs
   if (c.outputs.outb) write(".outb");
   if (c.outputs.csv) write(".csv");
   if (flown.chain_output) files.push_back(chain_output_file(c.outputs.folder / flown.name));
+}
+
+/// A period shorter than the run is allowed, but not in silence.
+std::string repetition(const Case& c) {
+  const auto* kaimal = std::get_if<KaimalFieldParams>(&c.wind);
+  if (kaimal == nullptr || kaimal->duration_s >= c.time.duration_s) return {};
+  std::ostringstream text;
+  text << "note: the wind repeats itself after wind.period_s = " << kaimal->duration_s
+       << " s; the run lasts " << c.time.duration_s << " s\n";
+  return text.str();
 }
 
 RotorWind mean_over_rotor(const Case& c, const WindField& wind) {
@@ -108,13 +124,15 @@ CaseResult run_case(const Case& c, std::ostream& out) {
   const RotorWind rotor_wind = mean_over_rotor(c, *wind);
   out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << " (ready in "
       << duration_text(seconds_now() - start_s) << ")\n"
-      << std::flush;
+      << repetition(c) << std::flush;
 
+  const Interruption interruption;
   CaseResult result;
   std::vector<FlownController> flights;
   std::vector<std::string> names;
   for (const CaseController& controller : c.controllers) {
-    flights.push_back(fly_with_progress(c, controller, *wind, rotor_wind));
+    flights.push_back(fly_with_progress(c, controller, *wind, rotor_wind, interruption));
+    interruption.check();
     write_recording(c, flights.back(), result.files);
     result.figures.push_back(flight_figures(flights.back().recording, c.time.run_in_s));
     names.push_back(controller.name);

@@ -129,7 +129,7 @@ WindCase read_wind(YamlReader& in, const WindSurroundings& around) {
     case 3:
       return read_kaimal(in, around);
     default:
-      return BtsWind{in.path("file")};
+      return BtsWind{in.existing_file("file")};
   }
 }
 

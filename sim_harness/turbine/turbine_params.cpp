@@ -15,7 +15,7 @@ RotorAero read_rotor(YamlReader& file, int& number_of_blades) {
   number_of_blades = map.integer("number_of_blades", Range::between(1.0, 6.0));
   const double radius_m = map.number("radius_m", Range::positive());
   const double air_density_kgpm3 = map.number("air_density_kgpm3", Range::positive());
-  const std::filesystem::path table = map.path("performance_table");
+  const std::filesystem::path table = map.existing_file("performance_table");
   map.finish();
   return {RotorTable::load(table), radius_m, air_density_kgpm3};
 }
@@ -72,6 +72,10 @@ void read_pitch(YamlReader map, TurbineParams& p) {
 void read_tower(YamlReader map, TurbineParams& p) {
   const double omega_radps = radps_from_hz(map.number("frequency_Hz", Range::positive()));
   p.hub_height_m = map.number("hub_height_m", Range::positive());
+  if (p.hub_height_m <= p.rotor.radius_m) {
+    map.fail("hub_height_m",
+             "found no more than rotor.radius_m, expected a rotor above the ground");
+  }
   p.tower.mass_kg = map.number("mass_kg", Range::positive());
   p.tower.stiffness_Npm = p.tower.mass_kg * omega_radps * omega_radps;
   p.tower.damping_Nspm =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/wind/rotor_wind.hpp"
 
+#include <sstream>
+
 #include "sim_harness/wind/parameter_check.hpp"
 
 namespace lac::sim {
@@ -17,20 +19,30 @@ void check(const RotorWindParams& p) {
           "a finite number, t_begin_s or above");
 }
 
+void require_at_least(double found, double limit, double slack, const char* name) {
+  if (found >= limit - slack) return;
+  std::ostringstream expected;
+  expected << "at least " << limit << ", where the wind field begins: it is too small";
+  require(false, kWhere, name, found, expected.str());
+}
+
+void require_at_most(double found, double limit, double slack, const char* name) {
+  if (found <= limit + slack) return;
+  std::ostringstream expected;
+  expected << "at most " << limit << ", where the wind field ends: it is too small";
+  require(false, kWhere, name, found, expected.str());
+}
+
 void check_inside(const WindExtent& extent, const RotorWindParams& p, double last_sample_s) {
   const double slack_m = 1e-6 * p.radius_m, slack_s = 1e-6 * p.dt_s;
-  constexpr auto kInField = "a disk and times inside the wind field";
-  require(-p.radius_m >= extent.y_min_m - slack_m, kWhere, "right edge of the rotor [m]",
-          -p.radius_m, kInField);
-  require(p.radius_m <= extent.y_max_m + slack_m, kWhere, "left edge of the rotor [m]", p.radius_m,
-          kInField);
-  require(p.hub_height_m - p.radius_m >= extent.z_min_m - slack_m, kWhere,
-          "lowest height of the rotor [m]", p.hub_height_m - p.radius_m, kInField);
-  require(p.hub_height_m + p.radius_m <= extent.z_max_m + slack_m, kWhere,
-          "greatest height of the rotor [m]", p.hub_height_m + p.radius_m, kInField);
-  require(p.t_begin_s >= extent.t_min_s - slack_s, kWhere, "t_begin_s", p.t_begin_s, kInField);
-  require(last_sample_s <= extent.t_max_s + slack_s, kWhere, "time of the last sample [s]",
-          last_sample_s, kInField);
+  require_at_least(-p.radius_m, extent.y_min_m, slack_m, "right edge of the rotor [m]");
+  require_at_most(p.radius_m, extent.y_max_m, slack_m, "left edge of the rotor [m]");
+  require_at_least(p.hub_height_m - p.radius_m, extent.z_min_m, slack_m,
+                   "lowest height of the rotor [m]");
+  require_at_most(p.hub_height_m + p.radius_m, extent.z_max_m, slack_m,
+                  "greatest height of the rotor [m]");
+  require_at_least(p.t_begin_s, extent.t_min_s, slack_s, "t_begin_s");
+  require_at_most(last_sample_s, extent.t_max_s, slack_s, "time of the last sample [s]");
 }
 
 double disk_mean(const WindField& field, std::span<const DiskPoint> points, double time_s) {

@@ -2,8 +2,7 @@
  * The contract's header as a C program sees it. */
 #include "core/discon_abi.h"
 
-void my_discon(float* avrSWAP, int* aviFAIL, const char* accINFILE, char* avcOUTNAME,
-               char* avcMSG);
+void my_discon(float* avrSWAP, int* aviFAIL, const char* accINFILE, char* avcOUTNAME, char* avcMSG);
 int lac_statuses_in_c(const int** values);
 
 void my_discon(float* avrSWAP, int* aviFAIL, const char* accINFILE, char* avcOUTNAME,
@@ -15,8 +14,8 @@ void my_discon(float* avrSWAP, int* aviFAIL, const char* accINFILE, char* avcOUT
 }
 
 int lac_statuses_in_c(const int** values) {
-  static const int all[] = {LAC_STATUS_STORE, LAC_STATUS_RESTORE, LAC_STATUS_RESTART,
-                            LAC_STATUS_CHECKPOINT, LAC_STATUS_LAST, LAC_STATUS_FIRST,
+  static const int all[] = {LAC_STATUS_STORE,      LAC_STATUS_RESTORE, LAC_STATUS_RESTART,
+                            LAC_STATUS_CHECKPOINT, LAC_STATUS_LAST,    LAC_STATUS_FIRST,
                             LAC_STATUS_STEP};
   LacDisconFunction function = my_discon;
   float swap = 5.0f;

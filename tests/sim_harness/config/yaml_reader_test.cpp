@@ -109,10 +109,25 @@ TEST_F(YamlReaderTest, InnerKeysAreNamedInFull) {
 
 TEST_F(YamlReaderTest, UnreadableFiles) {
   EXPECT_THAT(error_of([&] { YamlReader::load(folder_.file("none.yaml")); }),
-              EndsWith("none.yaml: cannot be read; expected a YAML file"));
+              EndsWith("none.yaml: cannot be read: no such file; expected a YAML file"));
+  EXPECT_THAT(error_of([&] { YamlReader::load(folder_.path()); }),
+              EndsWith(": is a folder, expected a YAML file"));
+  EXPECT_THAT(error_of([&] { read("a: 1\n---\na: 2\n"); }),
+              EndsWith("case.yaml: found 2 YAML documents (lines '---'), expected one"));
   EXPECT_THAT(error_of([&] { read("a: [1, 2\nb: 3\n"); }), HasSubstr("not valid YAML"));
   EXPECT_THAT(error_of([&] { read(""); }),
               EndsWith("case.yaml:1: found nothing, expected lines 'key: value'"));
+}
+
+// A file that is named must be there, and the place that names it is told.
+TEST_F(YamlReaderTest, ExistingFile) {
+  folder_.write("there.txt", "");
+  YamlReader in = read("a: there.txt\nb: gone.txt\nc: .\n");
+  EXPECT_EQ(in.existing_file("a"), folder_.path() / "there.txt");
+  EXPECT_THAT(
+      error_of([&] { in.existing_file("b"); }),
+      EndsWith("case.yaml:2: b: " + folder_.file("gone.txt") + " cannot be read: no such file"));
+  EXPECT_THAT(error_of([&] { in.existing_file("c"); }), HasSubstr(":3: c: found the folder"));
 }
 
 // --set replaces values, adds keys, reaches into lists and makes inner maps.

@@ -76,7 +76,13 @@ TEST_F(CaseFileTest, Faults) {
       error_with("kind: steady", "kind: stormy"),
       HasSubstr(":6: wind.kind: found 'stormy', expected steady, step, eog, kaimal or bts"));
   EXPECT_THAT(error_with("run_in_s: 5", "run_in_s: 20"),
-              EndsWith(":4: time.run_in_s: expected a time before duration_s"));
+              EndsWith(":4: time.run_in_s: expected a time before duration_s, by two steps at "
+                       "least"));
+  EXPECT_THAT(error_with("run_in_s: 5", "run_in_s: 19.98"), HasSubstr("by two steps at least"));
+  EXPECT_THAT(error_with("duration_s: 20", "duration_s: 1e12"), HasSubstr(":3: time.duration_s"));
+  EXPECT_THAT(error_with("other.in", "gone.in"),
+              EndsWith(":12: controllers.1.input: " + files_.folder.file("gone.in") +
+                       " cannot be read: no such file"));
   EXPECT_THAT(error_with("duration_s: 20", "duration_s: 20.001"),
               EndsWith(":3: time.duration_s: expected a multiple of step_s"));
   EXPECT_THAT(error_with("name: second", "name: first"),
@@ -86,7 +92,8 @@ TEST_F(CaseFileTest, Faults) {
               EndsWith(":13: output: unknown key (did you mean 'outputs'?)"));
   EXPECT_THAT(error_with("wind:", "winds:"),
               HasSubstr("wind: the key is missing; is 'winds' meant to be it?"));
-  EXPECT_THAT(error_with("turbine.yaml", "turbin.yaml"), HasSubstr("turbin.yaml"));
+  EXPECT_THAT(error_with("turbine.yaml", "turbin.yaml"),
+              HasSubstr("case.yaml:1: turbine: " LAC_SOURCE_DIR "/config/turbines/nrel5mw/turbin"));
 }
 
 WindCase wind_of(test::ProbeCase& files, const std::string& keys) {
@@ -106,10 +113,12 @@ TEST_F(CaseFileTest, KindsOfWind) {
       wind_of(files_, "  {kind: kaimal, mean_speed_mps: 18, turbulence_category: B}\n"));
   EXPECT_NEAR(kaimal.model.u.sigma_mps, 0.14 * (0.75 * 18.0 + 5.6), 1e-12);
   EXPECT_EQ(kaimal.seed, 1U);
-  const auto bts = std::get<BtsWind>(wind_of(files_, "  {kind: bts, file: a/b.bts}\n"));
-  EXPECT_EQ(bts.file, files_.folder.path() / "a/b.bts");
+  files_.folder.write("b.bts", "");
+  const auto bts = std::get<BtsWind>(wind_of(files_, "  {kind: bts, file: b.bts}\n"));
+  EXPECT_EQ(bts.file, files_.folder.path() / "b.bts");
   EXPECT_EQ(describe(WindCase(kaimal)),
-            "Kaimal turbulence, 18 m/s, standard deviation 2.674 m/s, seed 1");
+            "Kaimal turbulence, 18 m/s, standard deviation 2.674 m/s, 27 x 27 points, v and w "
+            "independent, seed 1");
 }
 
 // A lidar from a file of its own or written out, with a fault.
@@ -128,8 +137,9 @@ TEST_F(CaseFileTest, Lidar) {
       "beam_time_s: 1, fwhm_m: 0}");
   EXPECT_EQ(written->params.gates_m.size(), 1U);
   EXPECT_EQ(written->fault.kind, LidarFaultKind::kNone);
-  EXPECT_THAT(error_with("outputs:", "lidar: {file: none.yaml}\noutputs:"),
-              HasSubstr("none.yaml: cannot be read"));
+  EXPECT_THAT(
+      error_with("outputs:", "lidar: {file: none.yaml}\noutputs:"),
+      HasSubstr("case.yaml:13: lidar.file: " + files_.folder.file("none.yaml") + " cannot"));
 }
 
 }  // namespace

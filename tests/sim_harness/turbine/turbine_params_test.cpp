@@ -99,7 +99,10 @@ TEST(TurbineParams, NamesFaults) {
   EXPECT_THAT(error_with("tower:", "tower:\n  heigth_m: 3"),
               HasSubstr("tower.heigth_m: unknown key"));
   EXPECT_THAT(error_with("performance_table: cp_ct.txt", "performance_table: none.txt"),
-              AllOf(HasSubstr("none.txt"), HasSubstr("cannot be read")));
+              AllOf(HasSubstr("turbine.yaml:"), HasSubstr("rotor.performance_table: "),
+                    HasSubstr("none.txt cannot be read")));
+  EXPECT_THAT(error_with("hub_height_m: 90", "hub_height_m: 40"),
+              HasSubstr("tower.hub_height_m: found no more than rotor.radius_m"));
 }
 
 }  // namespace

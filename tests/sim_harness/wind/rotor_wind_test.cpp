@@ -138,7 +138,8 @@ TEST(RotorWind, RefusesWhatLeavesTheField) {
   RotorWindParams params = rotor(0.0, 10.0, 1.0);
   EXPECT_NO_THROW(RotorWind(wind, params));
   params.radius_m = 64.0;
-  expect_refused(wind, params, "right edge of the rotor [m] = -64");
+  expect_refused(wind, params,
+                 "right edge of the rotor [m] = -64, expected at least -63, where the wind field");
   params = rotor(0.0, 10.0, 1.0);
   params.hub_height_m = 91.0;
   expect_refused(wind, params, "greatest height of the rotor [m] = 154");
