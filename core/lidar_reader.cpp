@@ -20,8 +20,8 @@ LidarReaderParams LidarReaderParams::read(InputFile& in) {
   LidarReaderParams p;
   p.layout = static_cast<LidarLayout>(in.choice("LidarLayout", 0, {"native", "guo"}));
   p.number_of_beams = in.integer("NumberOfBeams", Range::between(1, 256));
-  p.min_speed_mps = in.number("MinimumSpeed", p.min_speed_mps, Range::any());
-  p.max_speed_mps = in.number("MaximumSpeed", p.max_speed_mps, Range::positive());
+  p.min_speed_mps = in.number("MinimumSpeed", p.min_speed_mps, Range::between(-90.0, 0.0));
+  p.max_speed_mps = in.number("MaximumSpeed", p.max_speed_mps, Range::between(1.0, 120.0));
   p.stuck_scans = in.integer("StuckScans", p.stuck_scans, Range::not_negative());
   if (p.layout == LidarLayout::Native) return p;
 

@@ -147,6 +147,18 @@ TEST(LidarReader, GuoLayout) {
   EXPECT_FALSE(b.read(3.5125));
 }
 
+// Plausible speeds have their own plausible range.
+TEST(LidarReader, RangeOfSpeedsIsChecked) {
+  InputFile in = InputFile::parse("4 ! NumberOfBeams\n130 ! MaximumSpeed\n", "ldp.IN");
+  try {
+    LidarReaderParams::read(in);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("ldp.IN:2: MaximumSpeed: found 130, expected a number "
+                                             "from 1 to 120"));
+  }
+}
+
 // Too small an array for the native block is refused at start with both sizes.
 TEST(LidarReader, TooSmallAnArray) {
   std::vector<float> array(164, 0.0f);
