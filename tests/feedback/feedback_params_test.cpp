@@ -98,7 +98,8 @@ TEST(FeedbackParams, RefusesWhatDoesNotFit) {
               AllOf(HasSubstr("feedback.IN:6: MaximumTorque"), HasSubstr("RatedTorque")));
   EXPECT_THAT(error_of(shipped_text("CutInSpeed", "800 ! CutInSpeed - x")),
               HasSubstr("LowSpeedSetPoint: found"));
-  EXPECT_THAT(error_of(shipped_text("MaximumPitch", "-1 ! MaximumPitch - x")), HasSubstr("FinePitch"));
+  EXPECT_THAT(error_of(shipped_text("MaximumPitch", "-1 ! MaximumPitch - x")),
+              HasSubstr("FinePitch"));
   EXPECT_THAT(error_of(shipped_text("FadingSpeed", "250 ! FadingSpeed - x")),
               AllOf(HasSubstr("FadingSpeed"), HasSubstr("250"), HasSubstr("198.85")));
   EXPECT_THAT(error_of(shipped_text("DesignWindSpeed", "16 12 ! DesignWindSpeed - x")),
