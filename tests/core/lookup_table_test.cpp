@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -18,12 +19,7 @@ LookupTable read(const std::string& text) {
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text([&] { read(text); });
 }
 
 // Straight lines between the points, the points themselves, constant outside.

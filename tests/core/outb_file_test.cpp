@@ -15,6 +15,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 #include "support/no_alloc_guard.hpp"
 
 namespace lac {
@@ -250,12 +251,7 @@ TEST_F(OutbFile, LeavesOneFile) {
 }
 
 std::string error_of(TableSpec table) {
-  try {
-    make_table_writer(std::move(table));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text([&] { make_table_writer(std::move(table)); });
 }
 
 // A folder that is not there, a folder in place of the file: file and reason are named.

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/rotor_aero.hpp"
 #include "core/units.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -48,12 +49,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    RotorTable::parse(text, "cp.txt");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text([&] { RotorTable::parse(text, "cp.txt"); });
 }
 
 /// c_P of the planes a + b lambda + c theta + d lambda theta, which bilinear interpolation meets.

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "feedback/nrel5mw.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -16,12 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string error_of(const std::string& text) {
-  try {
-    parsed(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text([&] { parsed(text); });
 }
 
 /// The shipped file with its design keys replaced by `lines`.

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "feedback/nrel5mw.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -19,12 +20,7 @@ constexpr LoopTarget kTarget{0.7, 0.5};
 
 template <class Function>
 std::string error_of(Function function) {
-  try {
-    function();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text([&] { function(); });
 }
 
 // The operating points balance rated torque; NREL report: pitch 8.70, 14.92, 22.35 deg.

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -15,12 +16,7 @@ constexpr const char* kGood =
 
 std::string error_of(const std::string& text) {
   InputFile in = InputFile::parse(text, "ffp.IN");
-  try {
-    FfpParams::read(in);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
+  return test::error_text([&] { FfpParams::read(in); });
 }
 
 // Degrees in the file, radians inside; the rest keeps its default.

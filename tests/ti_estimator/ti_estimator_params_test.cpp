@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 
 namespace lac {
 namespace {
@@ -23,12 +24,7 @@ TiEstimatorParams parse(const std::string& text) {
   return TiEstimatorParams::read(in);
 }
 std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
+  return test::error_text([&] { parse(text); });
 }
 
 // The shipped input file loads and says what its comments say.

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
 namespace lac::sim {
@@ -23,12 +24,7 @@ class YamlReaderTest : public ::testing::Test {
   }
 
   std::string error_of(const std::function<void()>& action) {
-    try {
-      action();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "none";
+    return test::error_text([&] { action(); });
   }
 
   test::TempFolder folder_;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
 namespace lac::sim {
@@ -171,12 +172,7 @@ TEST_F(ControllerHostTest, WarningGoesOn) {
 }
 
 std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
+  return test::error_text([&] { action(); });
 }
 
 // A failure ends the run with the library's words; the library is called once more with -1.

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
 namespace lac::sim {
@@ -23,12 +24,7 @@ constexpr char kLidar[] =
 
 std::string error_of(const std::string& text) {
   const test::TempFolder folder;
-  try {
-    load_lidar(folder.write("lidar.yaml", text));
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "none";
+  return test::error_text([&] { load_lidar(folder.write("lidar.yaml", text)); });
 }
 
 // The shipped lidar is the one of the paper: four beams in a second, ten gates.

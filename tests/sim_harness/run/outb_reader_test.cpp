@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
 namespace lac::sim {
@@ -35,12 +36,7 @@ TEST(OutbReaderTest, RoundTrip) {
 }
 
 std::string error_of(const std::filesystem::path& file) {
-  try {
-    read_outb(file);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "none";
+  return test::error_text([&] { read_outb(file); });
 }
 
 // Missing, of another format, cut off.
