@@ -4,17 +4,13 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "rosco/rosco_files.hpp"
 #include "support/discon_caller.hpp"
 #include "support/lidar_scan.hpp"
 
 namespace lac {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kStepsPerMeasurement = 20;  // one beam each 0.25 s
 constexpr int kRecorded = 8000;           // 100 s of inputs, repeated
@@ -103,29 +99,14 @@ void feedback_only_chain(benchmark::State& state) {
 }
 BENCHMARK(feedback_only_chain);
 
-/// ROSCO's shipped 5 MW input with its log switched off, beside its performance table.
-fs::path rosco_input() {
-  const fs::path shipped = fs::path(LAC_ROSCO_DIR) / "Examples/Test_Cases/NREL-5MW";
-  const fs::path folder = fs::temp_directory_path() / "lac_bench_rosco";
-  fs::create_directories(folder);
-  fs::copy_file(shipped / "Cp_Ct_Cq.NREL5MW.txt", folder / "Cp_Ct_Cq.NREL5MW.txt",
-                fs::copy_options::overwrite_existing);
-  std::ifstream in(shipped / "DISCON.IN");
-  std::ofstream out(folder / "DISCON.IN");
-  for (std::string line; std::getline(in, line);) {
-    const bool log_level = line.find("! LoggingLevel") != std::string::npos;
-    out << (log_level ? "0 ! LoggingLevel - no log" : line) << '\n';
-  }
-  return folder / "DISCON.IN";
-}
-
 void rosco_alone(benchmark::State& state) {
-  const fs::path library = fs::path(LAC_ROSCO_DIR) / "rosco/lib/libdiscon.so";
-  if (!fs::exists(library)) {
+  const test::RoscoFiles rosco;
+  if (!rosco.there()) {
     return state.SkipWithError("no ROSCO in build/rosco: it could not be downloaded");
   }
-  test::DisconCaller caller(library.string(), rosco_input().string(), kExtendedArraySize,
-                            (fs::temp_directory_path() / "lac_bench_rosco/run.SrvD").string());
+  const test::TempFolder folder;
+  test::DisconCaller caller(rosco.library.string(), rosco.copy_input_to(folder), kExtendedArraySize,
+                            folder.file("run.SrvD"));
   run(state, caller, false);
 }
 BENCHMARK(rosco_alone);

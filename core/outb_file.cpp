@@ -26,8 +26,8 @@ class ByteWriter {
  public:
   template <typename T>
   void put(T value) {
-    const auto* begin = reinterpret_cast<const char*>(&value);
-    bytes_.insert(bytes_.end(), begin, begin + sizeof value);
+    bytes_.resize(bytes_.size() + sizeof value);
+    std::memcpy(bytes_.data() + bytes_.size() - sizeof value, &value, sizeof value);
   }
   void text(std::string_view text, std::size_t width) {
     bytes_.insert(bytes_.end(), text.begin(), text.end());

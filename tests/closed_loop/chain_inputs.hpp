@@ -21,7 +21,6 @@ class ChainInputs {
         mean_mps_(15.0 + 0.7 * turbine),
         rate_radps_(0.25 + 0.03 * turbine) {
     scan_.travel_mps = mean_mps_;
-    scan_.half_angle_rad = rad_from_deg(14.2);
     scan_.gate_distance_m.clear();
     for (int gate = 0; gate < 10; ++gate) scan_.gate_distance_m.push_back(50.0 + 13.3 * gate);
     scan_.wind_mps = [this](double t) { return wind_mps(t); };
@@ -44,8 +43,7 @@ class ChainInputs {
     const bool is_new = lidar_alive && step_ % kStepsPerBeam == 0;
     if (is_new) {
       const auto beam = static_cast<int>(step_ / kStepsPerBeam % 4);
-      measurement_ = scan_.measure(time_s, kScanBeam[beam]);
-      measurement_.beam_id = beam;
+      measurement_ = scan_.measure(time_s, beam);
     }
     write_native_lidar(swap, measurement_, is_new);
     ++step_;
@@ -60,8 +58,7 @@ class ChainInputs {
   bool lidar_alive = true;
 
  private:
-  static constexpr long kStepsPerBeam = 20;         // 0.25 s
-  static constexpr int kScanBeam[] = {0, 2, 3, 1};  // the order in the shipped input files
+  static constexpr long kStepsPerBeam = 20;  // 0.25 s
 
   double wind_mps(double t) const {
     return mean_mps_ + 1.5 * std::sin(rate_radps_ * t) + 0.5 * std::sin(2.3 * rate_radps_ * t);

@@ -13,14 +13,15 @@ namespace lac::test {
 struct LidarScan {
   double beam_time_s = 0.25;
   double travel_mps = 16.0;
-  double half_angle_rad = rad_from_deg(15.0);
+  double azimuth_rad = rad_from_deg(14.4);
+  double elevation_rad = rad_from_deg(14.0);
   std::vector<double> gate_distance_m{60.0, 120.0, 180.0};  // along the rotor axis
   std::function<double(double)> wind_mps = [](double) { return 16.0; };
 
+  /// In the order of config/lidars/four_beam_pulsed.yaml: left up, left down, right down, right up.
   Vec3 direction(int beam) const {
-    const double azimuth = beam % 2 == 0 ? half_angle_rad : -half_angle_rad;
-    const double elevation = beam < 2 ? half_angle_rad : -half_angle_rad;
-    return beam_direction(azimuth, elevation);
+    return beam_direction(beam < 2 ? azimuth_rad : -azimuth_rad,
+                          beam == 0 || beam == 3 ? elevation_rad : -elevation_rad);
   }
 
   LidarMeasurement measure(double time_s, int beam) const {
