@@ -49,7 +49,7 @@ void check_name(const InputFile& in, const std::string& key, const std::string& 
 }
 
 fs::path find_input_file(const InputFile& in, const std::string& key, const std::string& written) {
-  const fs::path path = in.resolve(written).lexically_normal();
+  fs::path path = in.resolve(written).lexically_normal();
   std::error_code ec;
   if (!fs::is_regular_file(path, ec) || !std::ifstream(path)) {
     in.fail(key, "input file '" + written + "' cannot be opened; tried " + path.string());

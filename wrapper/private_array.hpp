@@ -21,10 +21,13 @@ class PrivateArray {
   SwapView view() { return {storage_.data() + kGuard, kPrivateArraySize}; }
   float* record(int index) { return storage_.data() + kGuard + index - 1; }
 
+  // Bytes are compared, not numbers: a guard counts as intact only if no bit of it was touched.
+  // NOLINTBEGIN(bugprone-suspicious-memory-comparison)
   bool guards_intact() const noexcept {
     return std::memcmp(storage_.data(), kPattern.data(), sizeof kPattern) == 0 &&
            std::memcmp(storage_.data() + kBehind, kPattern.data(), sizeof kPattern) == 0;
   }
+  // NOLINTEND(bugprone-suspicious-memory-comparison)
   void restore_guards() noexcept {
     std::memcpy(storage_.data(), kPattern.data(), sizeof kPattern);
     std::memcpy(storage_.data() + kBehind, kPattern.data(), sizeof kPattern);
