@@ -22,6 +22,7 @@ struct HostInput {
 /// Inputs like those of a turbine at 18 m/s in turbulence: everything moves at every step.
 std::vector<HostInput> recorded_inputs() {
   std::vector<HostInput> inputs;
+  inputs.reserve(kRecorded);
   for (int i = 0; i < kRecorded; ++i) {
     const double t = i * 0.0125;
     const double slow = std::sin(0.31415926 * t), fast = 0.3 * std::sin(2.1 * t);
@@ -79,7 +80,7 @@ void run(benchmark::State& state, test::DisconCaller& caller, bool lidar) {
   caller.swap().set(Rec::PitchControl, 0);
   if (one(0) < 0) return state.SkipWithError(caller.message().c_str());
   for (int i = 0; i < 8000; ++i) one(1);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     if (one(1) < 0) return state.SkipWithError(caller.message().c_str());
   }
   caller.call(-1);

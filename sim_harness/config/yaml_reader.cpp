@@ -261,7 +261,7 @@ std::filesystem::path YamlReader::path(const std::string& key) {
 }
 
 std::filesystem::path YamlReader::existing_file(const std::string& key) {
-  const std::filesystem::path file = path(key);
+  std::filesystem::path file = path(key);
   std::error_code ec;
   if (std::filesystem::is_directory(file, ec)) {
     fail(key, "found the folder " + file.string() + ", expected a file");

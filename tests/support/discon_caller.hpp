@@ -68,7 +68,7 @@ class DisconCaller {
   }
 
   SwapView swap() { return {array_.data(), static_cast<int>(array_.size())}; }
-  std::string message() const { return message_.c_str(); }
+  std::string message() const { return std::string(message_.data()); }  // up to the NUL
 
   double time_step_s = 0.0125;
 
