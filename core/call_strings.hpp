@@ -23,10 +23,10 @@ inline std::string_view read_string(const char* text, int length) {
   return s;
 }
 
-inline std::string_view read_in_file(const char* text, const SwapView& swap) {
+inline std::string_view read_in_file(const char* text, const SwapReader& swap) {
   return read_string(text, swap.integer(Rec::InFileLength, 0));
 }
-inline std::string_view read_out_name(const char* text, const SwapView& swap) {
+inline std::string_view read_out_name(const char* text, const SwapReader& swap) {
   return read_string(text, swap.integer(Rec::OutNameLength, 0));
 }
 

@@ -9,12 +9,12 @@
 namespace lac {
 
 /// Is this array the master's, with the records our libraries share?
-inline bool has_chain_block(const SwapView& swap) {
+inline bool has_chain_block(const SwapReader& swap) {
   return swap.holds(kChainBlock) && swap.integer(Rec::ChainVersion, 0) == kChainLayoutVersion;
 }
 
 /// For libraries that cannot do without it. Throws lac::Error.
-inline void require_chain_block(const SwapView& swap) {
+inline void require_chain_block(const SwapReader& swap) {
   if (has_chain_block(swap)) return;
   throw Error("the records of the chain (" + std::to_string(kChainBlock.first) + " to " +
               std::to_string(kChainBlock.last()) + ", layout " +

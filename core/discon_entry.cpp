@@ -53,7 +53,7 @@ std::string shown(double value) {
 
 /// Record 3 is a float: 0.0125f is 0.012500000186. The shortest decimal that gives the same
 /// float is what the user wrote.
-double exact_time_step(const SwapView& swap) {
+double exact_time_step(const SwapReader& swap) {
   const auto step = static_cast<float>(swap.get(Rec::TimeStep));
   if (!(step >= kShortestStep_s && step <= kLongestStep_s)) {
     throw Error("record 3 (communication interval) is " + shown(step) + " s, expected " +

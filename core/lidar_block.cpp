@@ -14,7 +14,7 @@ void put(SwapView& swap, int record, const Vec3& v) {
   swap.put(record + 1, v.y);
   swap.put(record + 2, v.z);
 }
-Vec3 vector_at(const SwapView& swap, int record) {
+Vec3 vector_at(const SwapReader& swap, int record) {
   return {swap.at(record), swap.at(record + 1), swap.at(record + 2)};
 }
 
@@ -41,7 +41,7 @@ void write_native_lidar(SwapView swap, const LidarMeasurement& m, bool new_data)
   }
 }
 
-void read_native_lidar(const SwapView& swap, LidarMeasurement& m) {
+void read_native_lidar(const SwapReader& swap, LidarMeasurement& m) {
   m.time_s = swap.at(kBase + nat::kMeasurementTime);
   m.beam_id = swap.integer(kBase + nat::kBeamId, -1);
   m.beam_dir_L = vector_at(swap, kBase + nat::kBeamDirection);
@@ -59,20 +59,20 @@ void read_native_lidar(const SwapView& swap, LidarMeasurement& m) {
   }
 }
 
-bool native_lidar_present(const SwapView& swap) {
+bool native_lidar_present(const SwapReader& swap) {
   return swap.holds(kNativeLidarBlock) &&
          swap.integer(kBase + nat::kVersion, 0) == nat::kLayoutVersion;
 }
 
-bool native_lidar_is_new(const SwapView& swap) {
+bool native_lidar_is_new(const SwapReader& swap) {
   return swap.integer(kBase + nat::kNewData, 0) == 1;
 }
 
 GuoBlock find_guo_block(const float* swap) {
-  const SwapView host(const_cast<float*>(swap), kHostBlock.last());
+  const SwapReader host(swap, kHostBlock.last());
   const int first = host.integer(Rec::LogStart, 0);
   if (first <= kHostBlock.last() || first + guo_lidar::kFixedSize > kExtendedArraySize) return {};
-  const SwapView header(const_cast<float*>(swap), first + guo_lidar::kFirstSpeed);
+  const SwapReader header(swap, first + guo_lidar::kFirstSpeed);
   const int gates = header.integer(first + guo_lidar::kNumberOfGates, 0);
   if (gates < 1 || gates > guo_lidar::kMaxGates) return {};
   if (first + guo_lidar::kFixedSize + gates - 1 > kExtendedArraySize) return {};
@@ -80,7 +80,7 @@ GuoBlock find_guo_block(const float* swap) {
 }
 
 void read_guo_lidar(const float* swap, GuoBlock block, LidarMeasurement& m) {
-  const SwapView view(const_cast<float*>(swap), block.first + guo_lidar::kFixedSize + block.gates);
+  const SwapReader view(swap, block.first + guo_lidar::kFixedSize + block.gates);
   m.beam_id = view.integer(block.first + guo_lidar::kBeamId, -1);
   m.gate_count = block.gates;
   for (int g = 0; g < block.gates; ++g) {
@@ -97,7 +97,7 @@ void read_guo_lidar(const float* swap, GuoBlock block, LidarMeasurement& m) {
 }
 
 bool guo_lidar_is_new(const float* swap, GuoBlock block) {
-  const SwapView view(const_cast<float*>(swap), block.first + guo_lidar::kFirstSpeed);
+  const SwapReader view(swap, block.first + guo_lidar::kFirstSpeed);
   return view.integer(block.first + guo_lidar::kNewData, 0) == 1;
 }
 

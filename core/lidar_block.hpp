@@ -10,7 +10,7 @@
 
 namespace lac {
 
-enum class LidarLayout { Native, Guo };
+enum class LidarLayout { Native, Guo, OpenFast };
 
 struct LidarGate {
   double range_m = 0.0;    // from the lidar along the beam
@@ -50,9 +50,9 @@ void write_native_lidar(SwapView swap, const LidarMeasurement& m, bool new_data)
 
 /// Reads our block whatever its flag. Values are taken as they stand; only the gate count is
 /// held to what the block can carry. Precondition: the array holds kNativeLidarBlock.
-void read_native_lidar(const SwapView& swap, LidarMeasurement& m);
-bool native_lidar_present(const SwapView& swap);
-bool native_lidar_is_new(const SwapView& swap);
+void read_native_lidar(const SwapReader& swap, LidarMeasurement& m);
+bool native_lidar_present(const SwapReader& swap);
+bool native_lidar_is_new(const SwapReader& swap);
 
 /// Where Guo's block begins (record 63) and how many gates it carries; first = 0 if record 63 or
 /// the gate count makes no sense. The caller has configured this layout, so records behind 164

@@ -41,7 +41,7 @@ LidarReaderParams LidarReaderParams::read(InputFile& in) {
 
 LidarReader::LidarReader(LidarReaderParams params) : params_(std::move(params)) {}
 
-void LidarReader::require(const SwapView& swap) const {
+void LidarReader::require(const SwapReader& swap) const {
   if (params_.layout == LidarLayout::Native && !swap.holds(kNativeLidarBlock)) {
     throw Error("LidarLayout native needs records " + std::to_string(kNativeLidarBlock.first) +
                 " to " + std::to_string(kNativeLidarBlock.last()) + ", the host's array has " +

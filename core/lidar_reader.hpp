@@ -53,7 +53,7 @@ class LidarReader {
   explicit LidarReader(LidarReaderParams params);
 
   /// Checks at the first call that the array can carry the layout; throws lac::Error.
-  void require(const SwapView& swap) const;
+  void require(const SwapReader& swap) const;
   State initial_state() const;
 
   /// True if this call brings a measurement; it then is in `m`, valid flags settled. `time_s` is

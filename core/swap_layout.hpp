@@ -56,6 +56,18 @@ inline constexpr int kFixedSize = 3 + 6 + 4;  // without the G speeds; 4 results
 inline constexpr int kMaxGates = 50;
 }  // namespace guo_lidar
 
+/// Lidar as OpenFAST sends it (3.5 on), offsets from kOpenFastLidarBlock.first. Behind the header
+/// n = beams x gates speeds [m/s], then n X, n Y, n Z [m] of the measured points in its global
+/// frame. No new-data flag, no validity; values are extrapolated in time (openfast_lidar.hpp).
+namespace openfast_lidar {
+inline constexpr int kSensorType = 0;  // 0 none, 1 point, 2 continuous wave, 3 pulsed
+inline constexpr int kNumberOfBeams = 1;
+inline constexpr int kNumberOfGates = 2;
+inline constexpr int kFirstSpeed = 4;
+inline constexpr int kMaxPoints = 5;
+inline constexpr int kSize = kFirstSpeed + 4 * kMaxPoints;
+}  // namespace openfast_lidar
+
 /// Our own lidar block: everything a lidar knows about one beam, in the part of the extended
 /// array that OpenFAST leaves free (1019-2000). Offsets from kNativeLidarBlock.first.
 namespace native_lidar {
@@ -91,6 +103,7 @@ inline constexpr RecordBlock kOpenFastLidarBlock{"OpenFAST lidar", 2001, 500};
 inline constexpr RecordBlock kOpenFastDemandBlock{"OpenFAST lidar, cable, structure, aero control",
                                                   2501, 800};
 inline constexpr RecordBlock kChainBlock{"chain", 3301, 40};
+inline constexpr RecordBlock kSignalBlock{"named signals of secondaries", 3341, 60};
 inline constexpr RecordBlock kPrivateLogBlock{"logging of secondaries", 3401, 300};
 
 inline constexpr int kExtendedArraySize = 3300;  // what OpenFAST and our harness pass
@@ -100,7 +113,7 @@ inline constexpr int kChainLayoutVersion = 1;
 
 inline constexpr auto kBlocks =
     std::to_array<RecordBlock>({kHostBlock, kPlatformBlock, kNativeLidarBlock, kOpenFastLidarBlock,
-                                kOpenFastDemandBlock, kChainBlock, kPrivateLogBlock});
+                                kOpenFastDemandBlock, kChainBlock, kSignalBlock, kPrivateLogBlock});
 
 namespace detail {
 constexpr bool blocks_are_disjoint() {

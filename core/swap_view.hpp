@@ -20,27 +20,22 @@ inline int known_array_size(const float* swap) {
   return kHostBlock.last();
 }
 
-/// Typed view on a float array: the only place that knows that records are counted from 1.
-/// Does not own the array; valid for one call.
-class SwapView {
+/// Typed, read-only view on a float array: with SwapView the only place that knows that records
+/// are counted from 1. Does not own the array; valid for one call.
+class SwapReader {
  public:
-  SwapView(float* data, int size) : data_(data), size_(size) {}
+  SwapReader(const float* data, int size) : data_(data), size_(size) {}
 
   int size() const { return size_; }
   bool holds(const RecordBlock& block) const { return block.last() <= size_; }
   bool holds(int record) const { return record >= 1 && record <= size_; }
 
   double get(Rec record) const { return at(static_cast<int>(record)); }
-  void set(Rec record, double value) { put(static_cast<int>(record), value); }
 
   /// By number, counted from 1. Precondition: holds(record).
   double at(int record) const {
     assert(holds(record));
     return static_cast<double>(data_[record - 1]);
-  }
-  void put(int record, double value) {
-    assert(holds(record));
-    data_[record - 1] = static_cast<float>(value);
   }
 
   /// Nearest integer; a value that is no number or out of reach gives the fallback.
@@ -53,11 +48,30 @@ class SwapView {
     return integer(static_cast<int>(record), fallback);
   }
 
-  float* data() { return data_; }
+  const float* data() const { return data_; }
 
  private:
-  float* data_;
+  const float* data_;
   int size_;
+};
+
+/// The same with writing.
+class SwapView : public SwapReader {
+ public:
+  SwapView(float* data, int size) : SwapReader(data, size), writable_(data) {}
+
+  void set(Rec record, double value) { put(static_cast<int>(record), value); }
+
+  /// By number, counted from 1. Precondition: holds(record).
+  void put(int record, double value) {
+    assert(holds(record));
+    writable_[record - 1] = static_cast<float>(value);
+  }
+
+  float* data() { return writable_; }
+
+ private:
+  float* writable_;
 };
 
 }  // namespace lac

@@ -27,7 +27,7 @@ class FeedbackModule final : public DisconModule {
   void visit_state(StateArchive& a) override { a(state_); }
 
  private:
-  Feedback::Inputs read(const SwapView& swap) const noexcept {
+  Feedback::Inputs read(const SwapReader& swap) const noexcept {
     Feedback::Inputs in;
     in.generator_speed_radps = swap.get(Rec::GeneratorSpeed);
     in.pitch_rad = swap.get(Rec::PitchBlade1);
@@ -85,7 +85,7 @@ class FeedbackModule final : public DisconModule {
   bool use_power_level_;
 };
 
-void require_chain_for(const InputFile& in, const char* key, const SwapView& swap) {
+void require_chain_for(const InputFile& in, const char* key, const SwapReader& swap) {
   try {
     require_chain_block(swap);
   } catch (const Error& error) {

@@ -116,7 +116,7 @@ const char* name_of(int record) {
 
 }  // namespace
 
-void HostLink::require(const SwapView& host) const {
+void HostLink::require(const SwapReader& host) const {
   const auto need = [&](const RecordBlock& block, const std::string& key) {
     if (host.holds(block)) return;
     throw Error(key + " needs records " + std::to_string(block.first) + "-" +

@@ -55,7 +55,7 @@ class HostLink {
       : lidar_(lidar), extended_demands_(extended_demands) {}
 
   /// Throws lac::Error if the host's array cannot carry what is configured.
-  void require(const SwapView& host) const;
+  void require(const SwapReader& host) const;
 
   /// Everything known of the host's array, once. Throws lac::Error naming measured records that
   /// are not finite: there is nothing to hold yet.

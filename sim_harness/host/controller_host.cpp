@@ -127,12 +127,12 @@ ControllerHost::Reply ControllerHost::enter_library() {
 }
 
 HostDemands ControllerHost::demands() const {
-  const SwapView s(const_cast<float*>(array_.data()), static_cast<int>(array_.size()));
+  const SwapReader s(array_.data(), static_cast<int>(array_.size()));
   return {s.get(Rec::PitchDemandCollective), s.get(Rec::TorqueDemand)};
 }
 
 void ControllerHost::require_usable_demands() const {
-  const SwapView s(const_cast<float*>(array_.data()), static_cast<int>(array_.size()));
+  const SwapReader s(array_.data(), static_cast<int>(array_.size()));
   const auto refuse = [&](Rec record, const char* expected) {
     std::ostringstream text;
     const RecordInfo* info = find_record(static_cast<int>(record));
