@@ -21,6 +21,11 @@ if(LAC_SANITIZE)
   add_compile_options(-fsanitize=${LAC_SANITIZE} -fno-omit-frame-pointer -UNDEBUG)
   add_link_options(-fsanitize=${LAC_SANITIZE})
 endif()
+if(MINGW)
+  # The run-time libraries of GCC go inside: hosts have none beside them. Equal sources give equal
+  # files.
+  add_link_options(-static -Wl,--no-insert-timestamp $<$<CONFIG:Release>:-s>)
+endif()
 
 include(GNUInstallDirs)
 include_directories(${CMAKE_SOURCE_DIR})

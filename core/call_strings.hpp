@@ -13,6 +13,10 @@ namespace lac {
 
 inline constexpr int kLongestString = 65536;  // a longer length record is not believed
 
+/// Room for texts that OpenFAST lends, records 49 and 64; our harness does as well.
+inline constexpr int kOpenFastMessageCapacity = 8197;
+inline constexpr int kOpenFastOutNameCapacity = 12601;
+
 /// At most `length` characters, cut at the first NUL, trailing blanks removed.
 inline std::string_view read_string(const char* text, int length) {
   if (text == nullptr || length <= 0 || length > kLongestString) return {};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "core/discon_module.hpp"
 #include "core/error.hpp"
 #include "core/instance_table.hpp"
+#include "core/native_path.hpp"
 
 namespace lac {
 namespace {
@@ -24,6 +26,7 @@ namespace {
 struct Instance {
   std::unique_ptr<DisconModule> module;
   StartInfo start;
+  std::string in_file;          // accINFILE of the first call, byte by byte
   std::int64_t steps = 0;       // the step in hand; status 0 is step 0
   std::vector<std::byte> kept;  // by -11
   std::int64_t kept_steps = 0;
@@ -67,8 +70,7 @@ double exact_time_step(const SwapReader& swap) {
 }
 
 void enter(std::unique_ptr<Instance> instance, Call& call) {
-  const CallerKey key =
-      caller_key(call.swap.data(), instance->start.input_file.string(), call.out_name);
+  const CallerKey key = caller_key(call.swap.data(), instance->in_file, call.out_name);
   if (!instances().enter(key, instance.get())) {
     throw Error("more than " + std::to_string(InstanceTable<Instance>::kCapacity) +
                 " turbines in one process");
@@ -114,7 +116,8 @@ void first_call(Call& call) {
         "and root name: they are told apart by the address of their arrays alone");
   }
   auto instance = std::make_unique<Instance>();
-  instance->start.input_file = std::string(call.in_file);
+  instance->in_file = std::string(call.in_file);
+  instance->start.input_file = path_from_bytes(call.in_file);
   instance->start.out_name = std::string(call.out_name);
   instance->start.time_step_s = exact_time_step(call.swap);
   instance->module = make_module(instance->start, call.swap, call.notice);
@@ -134,36 +137,36 @@ void load_state(DisconModule& module, const std::vector<std::byte>& bytes,
 
 void restart(Call& call) {
   require_lengths(call);
-  const std::string file(call.in_file);
+  const std::filesystem::path file = path_from_bytes(call.in_file);
   const Checkpoint saved = read_checkpoint(file, module_name());
   end_unfinished_run(call, saved.input_file);
   auto instance = std::make_unique<Instance>();
-  instance->start.input_file = saved.input_file;
+  instance->in_file = saved.input_file;
+  instance->start.input_file = path_from_bytes(saved.input_file);
   instance->start.out_name = saved.out_name;
   instance->start.time_step_s = saved.time_step_s;
   instance->start.checkpoint = file;
   instance->start.steps = saved.steps;
   instance->steps = saved.steps;
   instance->module = make_module(instance->start, call.swap, call.notice);
-  load_state(*instance->module, saved.state, file);
+  load_state(*instance->module, saved.state, file.string());
   instance->module->restart(file, call.swap, call.notice);
   answer_master(call.swap);
   if (call.notice.level() >= 0) enter(std::move(instance), call);
 }
 
 void checkpoint(Instance& instance, Call& call) {
-  const CallerKey own =
-      caller_key(call.swap.data(), instance.start.input_file.string(), instance.start.out_name);
+  const CallerKey own = caller_key(call.swap.data(), instance.in_file, instance.start.out_name);
   if (instances().with_strings(own) > 1) {
     throw Error("several turbines of this process have the same input file and root name (" +
                 instance.start.out_name + "): their checkpoints would overwrite each other");
   }
-  Checkpoint c{module_name(),           instance.start.input_file.string(),
+  Checkpoint c{module_name(),           instance.in_file,
                instance.start.out_name, instance.start.time_step_s,
                instance.steps,          {}};
   StateArchive archive(c.state);
   instance.module->visit_state(archive);
-  const std::string file(call.in_file);
+  const std::filesystem::path file = path_from_bytes(call.in_file);
   write_checkpoint(file, c);
   instance.module->checkpoint(file, call.swap, call.notice);
 }

@@ -8,33 +8,34 @@
 
 namespace lac {
 
-/// Fast 64-bit hash (not cryptographic); chained through `seed`.
-inline std::uint64_t hash_of_text(std::string_view s,
-                                  std::uint64_t seed = 0x9e3779b97f4a7c15ull) noexcept {
-  std::uint64_t hash = seed;
-  const auto mix = [&hash](std::uint64_t word) {
-    hash = (hash ^ word) * 0xff51afd7ed558ccdull;
-    hash ^= hash >> 32;
+/// Fast 64-bit hash (not cryptographic). Each 8 bytes are mixed by themselves, with their position,
+/// and added up, so that the processor works on all of them at once.
+inline std::uint64_t hash_of_text(std::string_view s) noexcept {
+  constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15ull;
+  std::uint64_t key = kStep, sum = s.size();
+  const auto add = [&](std::uint64_t word) {
+    std::uint64_t x = (word ^ key) * 0xff51afd7ed558ccdull;
+    x ^= x >> 32;
+    sum += x * 0xc4ceb9fe1a85ec53ull;
+    key += kStep;
   };
-  const char* p = s.data();
-  std::size_t left = s.size();
-  for (; left >= sizeof(std::uint64_t); left -= sizeof(std::uint64_t)) {
+  const auto word_at = [&](std::size_t at) {
     std::uint64_t word;
-    std::memcpy(&word, p, sizeof word);  // of known size: one load, not a call
-    mix(word);
-    p += sizeof word;
-  }
-  if (s.size() >= sizeof(std::uint64_t)) {  // the rest together with what stands before it
-    std::uint64_t word;
-    std::memcpy(&word, s.data() + s.size() - sizeof word, sizeof word);
-    mix(word);
+    std::memcpy(&word, s.data() + at, sizeof word);  // of known size: one load, not a call
+    return word;
+  };
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
+  for (std::size_t at = 0; at + kWord <= s.size(); at += kWord) add(word_at(at));
+  if (s.size() >= kWord) {
+    add(word_at(s.size() - kWord));  // the rest together with what stands before it
   } else {
     std::uint64_t rest = 0;
-    for (; left > 0; --left) rest = (rest << 8) | static_cast<unsigned char>(*p++);
-    mix(rest);
+    for (const char c : s) rest = (rest << 8) | static_cast<unsigned char>(c);
+    add(rest);
   }
-  hash = (hash ^ s.size()) * 0xc4ceb9fe1a85ec53ull;
-  return hash ^ (hash >> 29);
+  sum ^= sum >> 29;
+  sum *= 0xbf58476d1ce4e5b9ull;
+  return sum ^ (sum >> 32);
 }
 
 }  // namespace lac

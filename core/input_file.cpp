@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/native_path.hpp"
 #include "core/suggest.hpp"
 
 namespace lac {
@@ -297,7 +298,7 @@ void InputFile::finish() const {
 }
 
 std::filesystem::path InputFile::resolve(const std::string& path_in_file) const {
-  const std::filesystem::path p(path_in_file);
+  const std::filesystem::path p = path_from_bytes(path_in_file);
   return p.is_absolute() ? p : file_.parent_path() / p;
 }
 

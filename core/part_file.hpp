@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "core/locked_file.hpp"
+
 namespace lac {
 
 /// A file that gets its name only when it is complete. Bytes go to "<target>.part"; commit()
@@ -33,8 +35,8 @@ class PartFile {
  private:
   std::filesystem::path target_;
   std::filesystem::path part_;
-  int descriptor_ = -1;
-  int first_error_ = 0;  // errno value
+  LockedFile file_;
+  int first_error_ = 0;  // code of the system
 };
 
 }  // namespace lac

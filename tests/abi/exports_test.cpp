@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the dynamic section of the built libraries (64-bit ELF): what they export and need.
-#include <dlfcn.h>
 #include <elf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/test_host.hpp"
+#include "support/library_names.hpp"
 
 namespace lac::test {
 namespace {
@@ -69,13 +68,13 @@ class ElfFile {
 
 class Library : public testing::TestWithParam<const char*> {
  protected:
-  std::string path() const {
-    return std::string(LAC_LIBRARY_DIR) + "/liblac_" + GetParam() + ".so";
-  }
+  static std::string path() { return built_library(GetParam()); }
 };
 
-TEST_P(Library, ExportsDisconAlone) {
-  EXPECT_THAT(ElfFile(path()).exported(), testing::ElementsAre("DISCON"));
+// The entry, and the constant that says that one image serves many turbines.
+TEST_P(Library, ExportsTwoSymbols) {
+  EXPECT_THAT(ElfFile(path()).exported(),
+              testing::UnorderedElementsAre("DISCON", "LAC_DISCON_REENTRANT"));
 }
 
 // Nothing beyond the C runtime at run time; the C++ one is inside. (Sanitizers add their own.)
@@ -88,25 +87,9 @@ TEST_P(Library, NeedsTheRuntimeOnly) {
   }
 }
 
-// Closed, it is gone: no thread-local destructor and no unique symbol holds it. A first call
-// that failed (no input file) does not hold it either.
-TEST_P(Library, UnloadsCleanly) {
-  for (int i = 0; i < 2; ++i) {
-    void* handle = dlopen(path().c_str(), RTLD_NOW | RTLD_LOCAL);
-    ASSERT_NE(handle, nullptr) << dlerror();
-    {
-      TestHost host(reinterpret_cast<LacDisconFunction>(dlsym(handle, "DISCON")), "no/such.IN");
-      EXPECT_EQ(host.call(0), -1);
-      EXPECT_THAT(host.message(), testing::HasSubstr("no/such.IN"));
-      EXPECT_THAT(host.message(), testing::StartsWith(std::string(GetParam()) + ": "));
-    }
-    dlclose(handle);
-    EXPECT_EQ(dlopen(path().c_str(), RTLD_NOW | RTLD_NOLOAD), nullptr);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Built, Library,
-                         testing::Values("wrapper", "ldp", "ti_estimator", "ffp", "feedback"),
+                         testing::Values("wrapper", "ldp", "ti_estimator", "ffp", "feedback",
+                                         "bridge"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(Instances, ManyThreads) {
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t) {
     threads.emplace_back([&, t] {
-      const std::string out = "T" + std::to_string(t);
+      const std::string out = std::string("T").append(std::to_string(t));
       for (int run = 0; run < 200; ++run) {
         float array = 0.0f;
         Turbine mine;

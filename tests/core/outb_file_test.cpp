@@ -4,10 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -259,7 +256,7 @@ TEST_F(OutbFile, BadPathNamesFileAndReason) {
   TableSpec table = spec({{"A", "-"}});
   table.path = folder_ / "missing" / "run.outb";
   EXPECT_THAT(error_of(table),
-              AllOf(HasSubstr("missing/run.outb"), HasSubstr("No such file or directory")));
+              AllOf(HasSubstr(table.path.string()), HasSubstr("No such file or directory")));
   table.path = folder_ / "folder.outb";
   fs::create_directory(table.path);
   EXPECT_THAT(error_of(table), AllOf(HasSubstr("folder.outb"), HasSubstr("Is a directory")));
@@ -294,33 +291,9 @@ TEST_F(OutbFile, UnusableTablesAreRefused) {
   EXPECT_EQ(files_in_folder(), 0U);
 }
 
-// The system takes no more bytes (here a file size limit, as a full disk would): append says no,
-// finish tells file and reason, nothing stays.
-TEST_F(OutbFile, RefusedWriteIsReported) {
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const rlimit tight{6, before.rlim_max};
-  {
-    OutbWriter writer(spec({{"A", "-"}}, 1));
-    const float value = 1.0F;
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
-    const bool first = writer.append(&value);
-    const bool second = writer.append(&value);
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    EXPECT_TRUE(first);
-    EXPECT_FALSE(second);
-    EXPECT_FALSE(writer.append(&value));
-    EXPECT_THAT([&] { writer.finish(); },
-                ::testing::ThrowsMessage<Error>(
-                    AllOf(HasSubstr("run.outb: cannot write"), HasSubstr("File too large"))));
-  }
-  EXPECT_EQ(files_in_folder(), 0U);
-}
-
 // The guard counts, and append does not allocate, block writes included.
 TEST_F(OutbFile, AppendDoesNotAllocate) {
-  if (!test::kCountsAllocations) GTEST_SKIP() << "malloc belongs to the sanitizer";
+  if (!test::kCountsAllocations) GTEST_SKIP() << "malloc cannot be counted here";
   const test::NoAllocGuard control;
   ::operator delete(::operator new(16));  // a new expression may be optimised away
   EXPECT_EQ(control.allocations(), 1U);

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/discon_library.hpp"
+#include "core/native_path.hpp"
 #include "core/swap_view.hpp"
+#include "support/unique_name.hpp"
 
 namespace lac::test {
 
 /// Root name for output files, in the system's temporary folder and unlike any other's.
 inline std::string own_output_root() {
-  static std::atomic<int> count{0};
-  const auto root = "lac_" + std::to_string(getpid()) + "_" + std::to_string(++count) + ".SrvD";
-  return (std::filesystem::temp_directory_path() / root).string();
+  return bytes_from_path(std::filesystem::temp_directory_path() / (unique_name() + ".SrvD"));
 }
 
 /// Calls one built library as a host or the master does, with an array of exactly `size` floats.

@@ -2,29 +2,30 @@
 // Proof that code does not allocate. Include in one source file of a test executable only: it
 // replaces malloc and its relatives there, and with them operator new, also for libraries the
 // executable opens (their malloc resolves to the executable's, even when they carry their own
-// C++ runtime). Needs glibc.
+// C++ runtime).
 //
 //   NoAllocGuard guard;
 //   step();
 //   EXPECT_EQ(guard.allocations(), 0U);
 //
-// Under address and thread sanitizer malloc belongs to the sanitizer: kCountsAllocations is
-// false, the count stays 0 and says nothing. A test of the guard itself skips on it.
+// Under address and thread sanitizer malloc belongs to the sanitizer, and where there is no glibc
+// (Windows) it cannot be replaced: kCountsAllocations is false, the count stays 0 and says nothing.
+// A test of the guard itself skips on it.
 #pragma once
 
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LAC_SANITIZER_OWNS_MALLOC 1
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#define LAC_MALLOC_IS_OUT_OF_REACH 1
 #else
-#define LAC_SANITIZER_OWNS_MALLOC 0
+#define LAC_MALLOC_IS_OUT_OF_REACH 0
 #endif
 
 namespace lac::test {
 
-inline constexpr bool kCountsAllocations = LAC_SANITIZER_OWNS_MALLOC == 0;
+inline constexpr bool kCountsAllocations = LAC_MALLOC_IS_OUT_OF_REACH == 0;
 
 /// Allocations of this thread since its start; reallocation counts, freeing does not.
 inline thread_local std::uint64_t allocations_of_thread = 0;
@@ -40,7 +41,7 @@ class NoAllocGuard {
 
 }  // namespace lac::test
 
-#if !LAC_SANITIZER_OWNS_MALLOC
+#if !LAC_MALLOC_IS_OUT_OF_REACH
 #define LAC_TEST_EXPORT __attribute__((visibility("default"), used))
 
 extern "C" {
