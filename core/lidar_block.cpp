@@ -101,4 +101,19 @@ bool guo_lidar_is_new(const float* swap, GuoBlock block) {
   return view.integer(block.first + guo_lidar::kNewData, 0) == 1;
 }
 
+OpenFastHeader read_openfast_header(const SwapReader& swap) {
+  constexpr int kFirst = kOpenFastLidarBlock.first;
+  return {swap.integer(kFirst + openfast_lidar::kSensorType, -1),
+          swap.integer(kFirst + openfast_lidar::kNumberOfBeams, -1),
+          swap.integer(kFirst + openfast_lidar::kNumberOfGates, -1)};
+}
+
+double openfast_speed(const SwapReader& swap, int point) {
+  return swap.at(kOpenFastLidarBlock.first + openfast_lidar::kFirstSpeed + point);
+}
+
+double openfast_x(const SwapReader& swap, int point, int points) {
+  return openfast_speed(swap, points + point);
+}
+
 }  // namespace lac

@@ -67,4 +67,21 @@ GuoBlock find_guo_block(const float* swap);
 void read_guo_lidar(const float* swap, GuoBlock block, LidarMeasurement& m);
 bool guo_lidar_is_new(const float* swap, GuoBlock block);
 
+/// Head of OpenFAST's block. A record that holds no number of this kind gives -1.
+struct OpenFastHeader {
+  int sensor_type = 0;  // 0 none, 1 single point, 2 continuous wave, 3 pulsed
+  int beams = 0;
+  int gates = 0;
+  bool operator==(const OpenFastHeader&) const = default;
+  /// Beams or gates, of which one is 1; 0 if they make no sense.
+  int points() const {
+    const int most = beams > gates ? beams : gates, least = beams + gates - most;
+    return least == 1 && most <= openfast_lidar::kMaxPoints ? most : 0;
+  }
+};
+/// Precondition of these: the array holds kOpenFastLidarBlock; point in 0..points-1.
+OpenFastHeader read_openfast_header(const SwapReader& swap);
+double openfast_speed(const SwapReader& swap, int point);          // as received [m/s]
+double openfast_x(const SwapReader& swap, int point, int points);  // as received, global frame [m]
+
 }  // namespace lac

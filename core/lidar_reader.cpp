@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-
 namespace lac {
 namespace {
 
@@ -18,41 +16,35 @@ constexpr auto kGates = static_cast<std::size_t>(native_lidar::kMaxGates);
 
 LidarReaderParams LidarReaderParams::read(InputFile& in) {
   LidarReaderParams p;
-  p.layout = static_cast<LidarLayout>(in.choice("LidarLayout", 0, {"native", "guo"}));
-  p.number_of_beams = in.integer("NumberOfBeams", Range::between(1, 256));
+  p.layout = static_cast<LidarLayout>(in.choice("LidarLayout", 0, {"native", "guo", "openfast"}));
+  const bool openfast = p.layout == LidarLayout::OpenFast;
+  p.number_of_beams = openfast ? 1 : in.integer("NumberOfBeams", Range::between(1, 256));
   p.min_speed_mps = in.number("MinimumSpeed", p.min_speed_mps, Range::between(-90.0, 0.0));
   p.max_speed_mps = in.number("MaximumSpeed", p.max_speed_mps, Range::between(1.0, 120.0));
   p.stuck_scans = in.integer("StuckScans", p.stuck_scans, Range::not_negative());
-  if (p.layout == LidarLayout::Native) return p;
-
-  const auto beams = static_cast<std::size_t>(p.number_of_beams);
-  const auto azimuth = in.numbers("BeamAzimuth", beams, "NumberOfBeams", Range::between(-90, 90));
-  const auto elevation =
-      in.numbers("BeamElevation", beams, "NumberOfBeams", Range::between(-90, 90));
-  for (std::size_t i = 0; i < beams; ++i) {
-    p.beam_dir_L.push_back(beam_direction(rad_from_deg(azimuth[i]), rad_from_deg(elevation[i])));
-  }
-  p.gate_range_m = in.numbers("GateRanges", Range::positive());
-  if (p.gate_range_m.size() > kGates) in.fail("GateRanges", "more than 50 gates");
-  const auto position = in.numbers("LidarPosition", 3, "x, y, z");
-  p.position_I_m = {position[0], position[1], position[2]};
+  if (openfast) p.openfast = OpenFastLidarParams::read(in);
+  if (p.layout == LidarLayout::Guo) p.guo = GuoLidarParams::read(in, p.number_of_beams);
   return p;
 }
 
-LidarReader::LidarReader(LidarReaderParams params) : params_(std::move(params)) {}
+double LidarReaderParams::read_scan_time(InputFile& in, Range range) const {
+  const double interval_s = openfast.measurement_interval_s;
+  return interval_s > 0.0 ? in.number("ScanTime", interval_s, range) : in.number("ScanTime", range);
+}
 
-void LidarReader::require(const SwapReader& swap) const {
-  if (params_.layout == LidarLayout::Native && !swap.holds(kNativeLidarBlock)) {
-    throw Error("LidarLayout native needs records " + std::to_string(kNativeLidarBlock.first) +
-                " to " + std::to_string(kNativeLidarBlock.last()) + ", the host's array has " +
-                std::to_string(swap.size()) +
-                " known records (an extended array has 1001 in record 66 and its length in 129)");
-  }
+LidarReader::LidarReader(LidarReaderParams params) : params_(std::move(params)) {
+  if (params_.layout == LidarLayout::Guo) source_ = GuoLidar(params_.guo);
+  if (params_.layout == LidarLayout::OpenFast) source_ = OpenFastLidar(params_.openfast);
+}
+
+void LidarReader::require(const SwapReader& swap, double time_step_s, Notice& notice) const {
+  std::visit([&](const auto& source) { source.require(swap, time_step_s, notice); }, source_);
 }
 
 LidarReader::State LidarReader::initial_state() const {
   const auto beams = static_cast<std::size_t>(params_.number_of_beams);
   State s;
+  std::visit([&s](const auto& source) { s.source = source.initial_state(); }, source_);
   s.last_speed.assign(beams * kGates, 0.0f);
   s.repeats.assign(beams, 0);
   s.wind_at_change_mps.assign(beams, 0.0);
@@ -62,59 +54,22 @@ LidarReader::State LidarReader::initial_state() const {
 
 bool LidarReader::read(SwapView swap, double time_s, State& state, LidarMeasurement& m,
                        Notice& notice) const noexcept {
-  if (!fetch(swap, time_s, state, m, notice)) return false;
+  const auto fetch = [&](const auto& source) {
+    using OwnState = typename std::decay_t<decltype(source)>::State;
+    auto* own = std::get_if<OwnState>(&state.source);
+    return own != nullptr && source.fetch(swap, time_s, *own, m, notice);
+  };
+  if (!std::visit(fetch, source_)) return false;
   if (m.beam_id < 0 || m.beam_id >= params_.number_of_beams) {
-    if (!state.layout_reported) {
+    if (!state.beam_reported) {
       notice.warn("lidar: beam id %d, expected 0 to %d (NumberOfBeams); such beams are not used",
                   m.beam_id, params_.number_of_beams - 1);
     }
-    state.layout_reported = true;
+    state.beam_reported = true;
     return false;
   }
   judge_samples(m);
   judge_repeats(swap, state, m, notice);
-  return true;
-}
-
-bool LidarReader::fetch(SwapView swap, double time_s, State& state, LidarMeasurement& m,
-                        Notice& notice) const noexcept {
-  if (params_.layout == LidarLayout::Native) {
-    if (!native_lidar_present(swap)) {
-      if (!state.layout_reported) {
-        notice.warn(
-            "lidar: record %d is not %d: the host fills no native lidar block, or the master "
-            "does not pass it on (its key LidarLayout)",
-            kNativeLidarBlock.first, native_lidar::kLayoutVersion);
-      }
-      state.layout_reported = true;
-      return false;
-    }
-    if (!native_lidar_is_new(swap)) return false;
-    read_native_lidar(swap, m);
-    if (!std::isfinite(m.time_s) || m.time_s == state.last_time_s) return false;
-    state.last_time_s = m.time_s;
-    return true;
-  }
-  const GuoBlock block = find_guo_block(swap.data());
-  if (block.first == 0 || block.gates != static_cast<int>(params_.gate_range_m.size())) {
-    if (!state.layout_reported) {
-      notice.warn("lidar: no block of Guo's layout with %zu gates at record 63 (found %d gates)",
-                  params_.gate_range_m.size(), block.gates);
-    }
-    state.layout_reported = true;
-    return false;
-  }
-  if (!guo_lidar_is_new(swap.data(), block)) return false;
-  read_guo_lidar(swap.data(), block, m);
-  m.time_s = time_s;
-  m.position_I_m = params_.position_I_m;
-  if (m.beam_id >= 0 && m.beam_id < params_.number_of_beams) {
-    m.beam_dir_L = params_.beam_dir_L[static_cast<std::size_t>(m.beam_id)];
-  }
-  for (int g = 0; g < m.gate_count; ++g) {
-    m.gates[static_cast<std::size_t>(g)].range_m =
-        params_.gate_range_m[static_cast<std::size_t>(g)];
-  }
   return true;
 }
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <variant>
 #include <vector>
 
-#include "core/input_file.hpp"
-#include "core/lidar_block.hpp"
-#include "core/notice.hpp"
-#include "core/state_archive.hpp"
+#include "core/guo_lidar.hpp"
+#include "core/native_lidar.hpp"
+#include "core/openfast_lidar.hpp"
 
 namespace lac {
 
 /// What LDP and TI estimator both need to know about the lidar.
 struct LidarReaderParams {
   LidarLayout layout = LidarLayout::Native;
-  int number_of_beams = 4;
+  int number_of_beams = 4;  // OpenFAST's block: 1
   // Plausible line-of-sight speeds; outside of them a sample is invalid.
   double min_speed_mps = -5.0;
   double max_speed_mps = 60.0;
@@ -22,14 +22,15 @@ struct LidarReaderParams {
   // fresh one. 0: no check.
   int stuck_scans = 3;
   double stuck_wind_change_mps = 0.5;
-  // Only for the Guo layout, which does not carry them; one entry per beam, per gate.
-  std::vector<Vec3> beam_dir_L;
-  std::vector<double> gate_range_m;
-  Vec3 position_I_m;
+  // Of the layout in use.
+  GuoLidarParams guo;
+  OpenFastLidarParams openfast;
 
-  /// Keys LidarLayout, NumberOfBeams, MinimumSpeed, MaximumSpeed, StuckScans, and for the Guo
-  /// layout BeamAzimuth, BeamElevation, GateRanges, LidarPosition.
+  /// Keys LidarLayout, NumberOfBeams (not for OpenFAST's block), MinimumSpeed, MaximumSpeed,
+  /// StuckScans, and those of the layout.
   static LidarReaderParams read(InputFile& in);
+  /// ScanTime [s], which the measurement interval of OpenFAST's block stands in for if missing.
+  double read_scan_time(InputFile& in, Range range) const;
 };
 
 /// Takes new measurements out of the array and says which samples may be used. A sample is valid
@@ -38,40 +39,40 @@ struct LidarReaderParams {
 class LidarReader {
  public:
   struct State {
-    double last_time_s = -1.0e30;
+    std::variant<NativeLidar::State, GuoLidar::State, OpenFastLidar::State> source;
     std::vector<float> last_speed;  // beams x kMaxGates
     std::vector<int> repeats;       // per beam
     std::vector<double> wind_at_change_mps;
     std::vector<unsigned char> stuck;  // per beam
-    bool layout_reported = false;
+    bool beam_reported = false;
     void visit(StateArchive& a) {
-      a(last_time_s), a(last_speed), a(repeats), a(wind_at_change_mps), a(stuck);
-      a(layout_reported);
+      std::visit([&a](auto& s) { a(s); }, source);
+      a(last_speed), a(repeats), a(wind_at_change_mps), a(stuck), a(beam_reported);
     }
   };
 
   explicit LidarReader(LidarReaderParams params);
 
-  /// Checks at the first call that the array can carry the layout; throws lac::Error.
-  void require(const SwapReader& swap) const;
+  /// Checks at the first call of a run (not of a restart) that the array carries what the layout
+  /// needs; throws lac::Error.
+  void require(const SwapReader& swap, double time_step_s, Notice& notice) const;
   State initial_state() const;
 
   /// True if this call brings a measurement; it then is in `m`, valid flags settled. `time_s` is
-  /// the present time; a native measurement counts as new if its flag is up and its time has
-  /// changed. Reports once per change: no block, wrong beam id, stuck and free again.
+  /// the present time. To be called at every step. Reports once per change: no block, wrong beam
+  /// id, stuck and free again.
   bool read(SwapView swap, double time_s, State& state, LidarMeasurement& m,
             Notice& notice) const noexcept;
 
   const LidarReaderParams& params() const { return params_; }
 
  private:
-  bool fetch(SwapView swap, double time_s, State& state, LidarMeasurement& m,
-             Notice& notice) const noexcept;
   void judge_samples(LidarMeasurement& m) const noexcept;
   void judge_repeats(SwapView swap, State& state, LidarMeasurement& m,
                      Notice& notice) const noexcept;
 
   LidarReaderParams params_;
+  std::variant<NativeLidar, GuoLidar, OpenFastLidar> source_;
 };
 
 }  // namespace lac

@@ -70,6 +70,8 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   if (travel_mps < kSlowestTravel_mps) return;
 
   note_scan(m, state);
+  const auto late = round_to_step(in.time_s - m.time_s, time_step_s_);
+  state.latency_s = late > 0 ? static_cast<double>(late) * time_step_s_ : 0.0;
   const double allowed_m = nearest_allowed_m(in, state);
   const double for_nearer = settled(state) ? kNearerGate : 1.0;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -92,7 +94,8 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
 
 double Ldp::nearest_allowed_m(const Inputs& in, const State& state) const noexcept {
   const double needed_s = in.lead_needed_s > 0.0 ? in.lead_needed_s + params_.lead_margin_s : 0.0;
-  return std::max(params_.required_lead_s, needed_s) * state.mean_speed.mean();
+  const double lead_s = std::max(params_.required_lead_s, needed_s);
+  return (lead_s + state.latency_s) * state.mean_speed.mean();
 }
 
 void Ldp::note_scan(const LidarMeasurement& m, State& state) const noexcept {
@@ -119,8 +122,8 @@ Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
   if (!state.mean_speed.started()) return out;
   out.mean_speed_mps = state.mean_speed.mean();
   if (state.nearest_gate_m <= 0.0 || out.mean_speed_mps < kSlowestTravel_mps) return out;
-  out.lead_s = state.nearest_gate_m / out.mean_speed_mps;
-  if (out.lead_s > params_.longest_lead_s) return out;
+  out.lead_s = state.nearest_gate_m / out.mean_speed_mps - state.latency_s;
+  if (out.lead_s <= 0.0 || out.lead_s > params_.longest_lead_s) return out;
 
   const std::int64_t front = now + round_to_step(out.lead_s, time_step_s_);
   state.bins.set_window(front - window_steps_ + 1, front);

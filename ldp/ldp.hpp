@@ -19,6 +19,7 @@ namespace lac {
 /// one scan time before  t + T_lead, where T_lead is the lead of the nearest gate in use: fresh
 /// samples of that gate are averaged with older ones of farther gates that saw the same wind
 /// (GUO eq. 28 with aligned gates; methods section 7). Mean delay against t + T_lead: half a scan.
+/// A measurement that comes some steps after its time has lost as much of its lead.
 class Ldp {
  public:
   struct Inputs {
@@ -44,9 +45,10 @@ class Ldp {
     double scan_time_s = 0.0;
     double last_sample_s = -1.0e30;
     double last_measurement_s = 0.0;
+    double latency_s = 0.0;  // of the last measurement, in whole steps
     void visit(StateArchive& a) {
       a(bins), a(mean_speed), a(nearest_gate_m), a(nearest_of_beam_m), a(last_of_beam_s);
-      a(scan_time_s), a(last_sample_s), a(last_measurement_s);
+      a(scan_time_s), a(last_sample_s), a(last_measurement_s), a(latency_s);
     }
   };
 

@@ -2,7 +2,8 @@
 // Records <-> Ldp. Reads the host's lidar block, writes the Lidar* records of the chain block.
 #include "core/chain_block.hpp"
 #include "core/discon_module.hpp"
-#include "ldp/ldp.hpp"
+#include "ldp/guo_ldp_discon.hpp"
+#include "ldp/ldp_records.hpp"
 
 namespace lac {
 namespace {
@@ -27,7 +28,7 @@ class LdpModule final : public DisconModule {
     }
     const Ldp::Outputs out = ldp_.step(in, state_);
     report(out, notice);
-    write(out, swap);
+    write_lidar_rews(out, scan_time_s_, swap);
   }
 
   void visit_state(StateArchive& a) override {
@@ -50,16 +51,6 @@ class LdpModule final : public DisconModule {
     scan_reported_ = true;
   }
 
-  void write(const Ldp::Outputs& out, SwapView& swap) const noexcept {
-    swap.set(Rec::LidarRews, out.rews_mps);
-    swap.set(Rec::LidarRewsLead, out.lead_s);
-    swap.set(Rec::LidarRewsSamples, out.samples);
-    swap.set(Rec::LidarRewsValid, out.valid ? 1.0 : 0.0);
-    swap.set(Rec::LidarMeanSpeed, out.mean_speed_mps);
-    swap.set(Rec::LidarScanWindow, scan_time_s_);
-    swap.set(Rec::LidarDataAge, out.data_age_s);
-  }
-
   double scan_time_s_;
   LidarReader reader_;
   Ldp ldp_;
@@ -76,13 +67,14 @@ const char* module_name() {
   return "ldp";
 }
 
-std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
+std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice& notice) {
+  if (auto guo = make_guo_ldp(start, swap, notice)) return guo;
   InputFile in = InputFile::load(start.input_file);
   const LdpParams params = LdpParams::read(in);
   params.check_time_step(in, start.time_step_s);
   auto module = std::make_unique<LdpModule>(params, start.time_step_s);
   require_chain_block(swap);
-  module->reader().require(swap);
+  if (!start.is_restart()) module->reader().require(swap, start.time_step_s, notice);
   return module;
 }
 

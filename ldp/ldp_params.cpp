@@ -8,7 +8,7 @@ namespace lac {
 LdpParams LdpParams::read(InputFile& in) {
   LdpParams p;
   p.reader = LidarReaderParams::read(in);
-  p.scan_time_s = in.number("ScanTime", Range::positive());
+  p.scan_time_s = p.reader.read_scan_time(in, Range::positive());
   p.required_lead_s = in.number("RequiredLead", p.required_lead_s, Range::not_negative());
   p.lead_margin_s = in.number("LeadMargin", p.lead_margin_s, Range::not_negative());
   p.longest_lead_s = in.number("LongestLead", p.longest_lead_s, Range::between(1.0, 600.0));

@@ -89,11 +89,11 @@ const char* module_name() {
   return "ti_estimator";
 }
 
-std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
+std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice& notice) {
   InputFile in = InputFile::load(start.input_file);
   auto module = std::make_unique<TiEstimatorModule>(TiEstimatorParams::read(in), start.time_step_s);
   require_chain_block(swap);
-  module->reader().require(swap);
+  if (!start.is_restart()) module->reader().require(swap, start.time_step_s, notice);
   return module;
 }
 

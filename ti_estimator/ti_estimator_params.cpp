@@ -6,8 +6,7 @@
 namespace lac {
 namespace {
 
-void read_lidar(InputFile& in, TiEstimatorParams& p) {
-  p.reader = LidarReaderParams::read(in);
+void read_beams(InputFile& in, TiEstimatorParams& p) {
   const auto beams = static_cast<std::size_t>(p.reader.number_of_beams);
   const auto azimuth = in.numbers("BeamAzimuth", beams, "NumberOfBeams", Range::between(-90, 90));
   const auto elevation =
@@ -15,13 +14,23 @@ void read_lidar(InputFile& in, TiEstimatorParams& p) {
   for (std::size_t i = 0; i < beams; ++i) {
     p.beam_dir_L.push_back(beam_direction(rad_from_deg(azimuth[i]), rad_from_deg(elevation[i])));
   }
-  if (p.reader.layout == LidarLayout::Guo) {
-    p.number_of_gates = static_cast<int>(p.reader.gate_range_m.size());
+}
+
+void read_lidar(InputFile& in, TiEstimatorParams& p) {
+  p.reader = LidarReaderParams::read(in);
+  if (p.reader.layout == LidarLayout::OpenFast) {  // one beam along x of frame I
+    p.beam_dir_L = {{1.0, 0.0, 0.0}};
+    p.number_of_gates = openfast_lidar::kMaxPoints;
   } else {
+    read_beams(in, p);
+  }
+  if (p.reader.layout == LidarLayout::Guo) {
+    p.number_of_gates = static_cast<int>(p.reader.guo.gate_range_m.size());
+  } else if (p.reader.layout == LidarLayout::Native) {
     p.number_of_gates =
         in.integer("NumberOfGates", p.number_of_gates, Range::between(1, native_lidar::kMaxGates));
   }
-  p.scan_time_s = in.number("ScanTime", Range::between(0.05, 30.0));
+  p.scan_time_s = p.reader.read_scan_time(in, Range::between(0.05, 30.0));
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
 }
 
@@ -67,6 +76,11 @@ void read_axis(InputFile& in, const std::string& key, Range range, std::vector<d
 void read_table_axes(InputFile& in, TiEstimatorParams& p) {
   read_axis(in, "TableWindSpeeds", {0.5, 100.0}, p.table_speeds_mps);
   p.use_yaw_error = in.flag("UseYawError", p.use_yaw_error);
+  if (p.use_yaw_error && p.reader.layout == LidarLayout::OpenFast) {
+    in.fail("UseYawError",
+            "not with LidarLayout openfast: that lidar does not turn with the nacelle, from which "
+            "record 24 counts; leave it out");
+  }
   std::vector<double> yaw_deg{-30, -25, -20, -15, -10, -5, 0, 5, 10, 15, 20, 25, 30};
   read_axis(in, "TableYawErrors", Range::between(-60, 60), yaw_deg);
   if (p.use_yaw_error) {

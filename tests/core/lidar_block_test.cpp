@@ -105,6 +105,24 @@ TEST(LidarBlock, NonsenseAtRecord63IsNotFollowed) {
   }
 }
 
+// OpenFAST's block at the records in which it was received: five gates, four beams, one point.
+TEST(LidarBlock, OpenFastLayoutAtItsObservedRecords) {
+  std::vector<float> array(kExtendedArraySize, 0.0f);
+  for (int r = 2001; r <= 2024; ++r) array[static_cast<std::size_t>(r - 1)] = static_cast<float>(r);
+  const SwapView swap(array.data(), kExtendedArraySize);
+  EXPECT_EQ(read_openfast_header(swap), (OpenFastHeader{2001, 2002, 2003}));
+  EXPECT_EQ(openfast_speed(swap, 0), 2005.0);
+  EXPECT_EQ(openfast_speed(swap, 4), 2009.0);
+  EXPECT_EQ(openfast_x(swap, 0, 5), 2010.0);
+  EXPECT_EQ(openfast_x(swap, 4, 5), 2014.0);
+  EXPECT_EQ(openfast_x(swap, 0, 4), 2009.0);
+  EXPECT_EQ(openfast_x(swap, 0, 1), 2006.0);
+  EXPECT_EQ((OpenFastHeader{3, 1, 5}).points(), 5);
+  EXPECT_EQ((OpenFastHeader{1, 4, 1}).points(), 4);
+  EXPECT_EQ((OpenFastHeader{1, 4, 2}).points(), 0);
+  EXPECT_EQ((OpenFastHeader{1, 6, 1}).points(), 0);
+}
+
 // z-y'-x'': positive pitch turns x towards -z, yaw of pi looks up-wind and mirrors y.
 TEST(LidarBlock, RotationOrderAndSigns) {
   const Vec3 x{1, 0, 0};

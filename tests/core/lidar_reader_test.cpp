@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "support/lidar_scan.hpp"
+#include "support/openfast_lidar_host.hpp"
 
 namespace lac {
 namespace {
@@ -147,6 +148,55 @@ TEST(LidarReader, GuoLayout) {
   EXPECT_FALSE(b.read(3.5125));
 }
 
+/// A lidar of OpenFAST for ten seconds; gives the number of measurements and calls `each`.
+int fly_openfast(Bench& b, const test::OpenFastLidarHost& host,
+                 const std::function<void(double)>& each) {
+  int count = 0;
+  for (long k = 0; k < 1600; ++k) {
+    host.fill(b.swap(), k);
+    if (!b.read(static_cast<double>(k) * host.time_step_s)) continue;
+    ++count;
+    each(b.m.time_s);
+  }
+  return count;
+}
+
+LidarReaderParams openfast_params() {
+  InputFile in = InputFile::parse(
+      "openfast ! LidarLayout\n2 ! InterpolationOrder\n0.25 ! MeasurementInterval\n"
+      "-5 ! RotorPositionX\n",
+      "ldp.IN");
+  return LidarReaderParams::read(in);
+}
+
+// OpenFAST's block: error values that are held and extrapolated like all others are invalid for as
+// long as they are measured, and the values after them are right at once.
+TEST(LidarReader, OpenFastErrorValues) {
+  for (const double bad : {-99.0, 999.0, -200.0}) {
+    Bench b(openfast_params());
+    test::OpenFastLidarHost host;
+    host.wind_mps = [bad](double t, double x) { return x < -200.0 && t > 4 && t < 6 ? bad : 12.5; };
+    const int count = fly_openfast(b, host, [&](double t) {
+      EXPECT_EQ(b.m.gates[0].valid, !(t > 4 && t < 6)) << bad << " at " << t;
+      EXPECT_NEAR(b.m.gates[0].speed_mps, host.wind_mps(t, -205.0), 1e-4);
+      EXPECT_TRUE(b.m.gates[1].valid);
+      EXPECT_EQ(b.m.beam_dir_I().x, -1.0);
+    });
+    EXPECT_EQ(count, 40);
+  }
+}
+
+// OpenFAST's block: settled values that stand still while the wind moves are stuck.
+TEST(LidarReader, OpenFastStuck) {
+  Bench b(openfast_params());
+  test::OpenFastLidarHost host;
+  host.wind_mps = [](double t, double) { return t < 5.0 ? 12.5 + std::sin(t) : 12.0; };
+  fly_openfast(b, host, [&](double t) {
+    EXPECT_EQ(b.m.gates[0].valid, t < 7.75) << t;  // three repeats, and the wind elsewhere
+    b.swap().set(Rec::HubWindSpeed, t < 7.5 ? 12.0 : 13.0);
+  });
+}
+
 // Plausible speeds have their own plausible range.
 TEST(LidarReader, RangeOfSpeedsIsChecked) {
   InputFile in = InputFile::parse("4 ! NumberOfBeams\n130 ! MaximumSpeed\n", "ldp.IN");
@@ -164,7 +214,8 @@ TEST(LidarReader, TooSmallAnArray) {
   std::vector<float> array(164, 0.0f);
   const LidarReader reader{LidarReaderParams{}};
   try {
-    reader.require(SwapView(array.data(), 164));
+    Notice notice;
+    reader.require(SwapView(array.data(), 164), 0.0125, notice);
     FAIL();
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("the host's array has 164 known records"));

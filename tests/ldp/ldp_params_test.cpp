@@ -33,6 +33,21 @@ TEST(LdpParams, Defaults) {
   EXPECT_EQ(refusal(kGood), "accepted");
 }
 
+// On OpenFAST's block one measurement brings all points: its interval is the scan.
+TEST(LdpParams, OpenFastDefaults) {
+  const std::string openfast =
+      "openfast ! LidarLayout\n2 ! InterpolationOrder\n-5 ! RotorPositionX\n";
+  InputFile in = InputFile::parse(openfast + "0.25 ! MeasurementInterval\n", "ldp.IN");
+  const LdpParams p = LdpParams::read(in);
+  EXPECT_EQ(p.scan_time_s, 0.25);
+  EXPECT_EQ(p.maximum_age_s, 0.5);
+  EXPECT_EQ(p.minimum_samples, 1);
+  EXPECT_THAT(refusal(openfast), HasSubstr("ScanTime"));
+  EXPECT_EQ(refusal(openfast + "0.5 ! ScanTime\n"), "accepted");
+  EXPECT_THAT(refusal(std::string(kGood) + "2 ! InterpolationOrder\n"),
+              HasSubstr("InterpolationOrder"));
+}
+
 // Nothing is shortened or lengthened in silence: what cannot be is refused with line and key.
 TEST(LdpParams, Mistakes) {
   const std::string good = kGood;

@@ -64,7 +64,7 @@ TEST(TiEstimatorParams, GuoLayout) {
                                     "guo ! LidarLayout - x\n50 80 120 ! GateRanges - x\n"
                                     "0 0 90 ! LidarPosition - x\n");
   EXPECT_EQ(p.number_of_gates, 3);
-  EXPECT_EQ(p.beam_dir_L, p.reader.beam_dir_L);
+  EXPECT_EQ(p.beam_dir_L, p.reader.guo.beam_dir_L);
 }
 
 // Mistakes are refused with the key and what was expected.
