@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "bench/recorded_inputs.hpp"
 #include "rosco/rosco_files.hpp"
 #include "support/discon_caller.hpp"
 #include "support/lidar_scan.hpp"
@@ -12,27 +13,9 @@
 namespace lac {
 namespace {
 
+using bench::kRecorded;
+
 constexpr int kStepsPerMeasurement = 20;  // one beam each 0.25 s
-constexpr int kRecorded = 8000;           // 100 s of inputs, repeated
-
-struct HostInput {
-  float generator_speed_radps, rotor_speed_radps, wind_mps, pitch_rad;
-};
-
-/// Inputs like those of a turbine at 18 m/s in turbulence: everything moves at every step.
-std::vector<HostInput> recorded_inputs() {
-  std::vector<HostInput> inputs;
-  inputs.reserve(kRecorded);
-  for (int i = 0; i < kRecorded; ++i) {
-    const double t = i * 0.0125;
-    const double slow = std::sin(0.31415926 * t), fast = 0.3 * std::sin(2.1 * t);
-    const double speed = 122.91 * (1.0 + 0.02 * (slow + fast));
-    inputs.push_back({static_cast<float>(speed), static_cast<float>(speed / 97.0),
-                      static_cast<float>(18.0 + 2.0 * slow + fast),
-                      static_cast<float>(0.26 + 0.02 * slow)});
-  }
-  return inputs;
-}
 
 std::vector<LidarMeasurement> recorded_measurements() {
   test::LidarScan scan;
@@ -47,24 +30,15 @@ std::vector<LidarMeasurement> recorded_measurements() {
   return measurements;
 }
 
-void set_inputs(SwapView swap, const HostInput& in) {
-  swap.set(Rec::GeneratorSpeed, static_cast<double>(in.generator_speed_radps));
-  swap.set(Rec::RotorSpeed, static_cast<double>(in.rotor_speed_radps));
-  swap.set(Rec::HubWindSpeed, static_cast<double>(in.wind_mps));
-  swap.set(Rec::PitchBlade1, static_cast<double>(in.pitch_rad));
-  swap.set(Rec::PitchBlade2, static_cast<double>(in.pitch_rad));
-  swap.set(Rec::PitchBlade3, static_cast<double>(in.pitch_rad));
-}
-
 /// The cost of filling the records is in the figure; it is the host's, a few nanoseconds.
 void run(benchmark::State& state, test::DisconCaller& caller, bool lidar) {
-  const auto inputs = recorded_inputs();
+  const auto inputs = bench::recorded_inputs();
   const auto measurements = recorded_measurements();
   LidarMeasurement m;
   long step = 0;
   const auto one = [&](int status) {
     const auto i = static_cast<std::size_t>(step % kRecorded);
-    set_inputs(caller.swap(), inputs[i]);
+    bench::set_inputs(caller.swap(), inputs[i]);
     if (lidar) {
       const bool is_new = step % kStepsPerMeasurement == 0;
       if (is_new) {

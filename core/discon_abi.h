@@ -56,6 +56,17 @@ typedef void(LAC_DISCON_CALL* LacDisconFunction)(float* avrSWAP, int* aviFAIL,
                                                  const char* accINFILE, char* avcOUTNAME,
                                                  char* avcMSG);
 
+/* A library may be called for several turbines of one process, from several threads at once, and
+ * for several runs one after another, if it keeps all its data per turbine. One that does says so
+ * by defining this constant as 1, and the master then opens its file once:
+ *
+ *   const int LAC_DISCON_REENTRANT = 1;
+ *
+ * A library without it is taken to have static data (Fortran: SAVE, module variables): each
+ * turbine and each run gets a copy of the file in memory. Start-up code of the library runs in
+ * each copy, once more in the original, and before any call. */
+extern LAC_DISCON_EXPORT const int LAC_DISCON_REENTRANT;
+
 #ifdef __cplusplus
 }
 #endif

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/discon_abi.h"
+#include "core/library_image.hpp"
 
 namespace lac {
 
@@ -23,27 +24,33 @@ class DisconLibrary {
  public:
   DisconLibrary() = default;
 
-  /// Opens the first candidate that exists and looks up the entry (case-sensitive).
+  /// Opens the first candidate that exists and looks up the entry (case-sensitive). Everybody in
+  /// the process who opens this file shares one image, with one set of static data.
   /// Throws lac::Error that tells apart: not found (all paths tried), not a library, built for
   /// another machine, cannot be loaded (the loader's words), no such entry.
   static DisconLibrary open(const std::string& name, const std::string& entry,
                             const std::vector<std::filesystem::path>& folders);
 
-  DisconLibrary(DisconLibrary&& other) noexcept;
-  DisconLibrary& operator=(DisconLibrary&& other) noexcept;
-  DisconLibrary(const DisconLibrary&) = delete;
-  DisconLibrary& operator=(const DisconLibrary&) = delete;
-  ~DisconLibrary();
+  /// The same with an image of its own, and so with static data as they are at the start, unless
+  /// the library declares itself reentrant (LAC_DISCON_REENTRANT, discon_abi.h). How, and what it
+  /// cannot separate: LibraryImage::open_copy. `copy_folders`: where the copy may lie if neither
+  /// the system's temporary folder nor that of the library will have it. Throws lac::Error.
+  static DisconLibrary open_own(const std::string& name, const std::string& entry,
+                                const std::vector<std::filesystem::path>& folders,
+                                const std::vector<std::filesystem::path>& copy_folders);
 
   LacDisconFunction entry() const { return entry_; }
+  /// The library as found, not the copy.
   const std::filesystem::path& path() const { return path_; }
+  bool has_own_image() const { return has_own_image_; }
 
  private:
-  void close() noexcept;
+  void find_entry(const std::string& name);
 
-  void* handle_ = nullptr;
+  LibraryImage image_;
   LacDisconFunction entry_ = nullptr;
   std::filesystem::path path_;
+  bool has_own_image_ = false;
 };
 
 }  // namespace lac

@@ -54,6 +54,11 @@ inline constexpr int kFirstSpeed = 3;     // G line-of-sight speeds [m/s], posit
 inline constexpr int kAfterGates = 3;     // + G: roll, pitch, yaw [rad], velocity x y z [m/s] in I
 inline constexpr int kFixedSize = 3 + 6 + 4;  // without the G speeds; 4 results of that chain
 inline constexpr int kMaxGates = 50;
+// Results of that chain, + G; its LDP writes the first, its FFP the others.
+inline constexpr int kRews = kAfterGates + 6;    // [m/s], 999: none yet
+inline constexpr int kRewsBuffered = kRews + 1;  // [m/s], filtered and delayed
+inline constexpr int kPitchRate = kRews + 2;     // [rad/s]
+inline constexpr int kRewsFiltered = kRews + 3;  // [m/s]
 }  // namespace guo_lidar
 
 /// Lidar as OpenFAST sends it (3.5 on), offsets from kOpenFastLidarBlock.first. Behind the header
@@ -105,15 +110,17 @@ inline constexpr RecordBlock kOpenFastDemandBlock{"OpenFAST lidar, cable, struct
 inline constexpr RecordBlock kChainBlock{"chain", 3301, 40};
 inline constexpr RecordBlock kSignalBlock{"named signals of secondaries", 3341, 60};
 inline constexpr RecordBlock kPrivateLogBlock{"logging of secondaries", 3401, 300};
+inline constexpr RecordBlock kPrivateGuoBlock{"lidar of Guo-type secondaries", 3701,
+                                              guo_lidar::kFixedSize + guo_lidar::kMaxGates};
 
 inline constexpr int kExtendedArraySize = 3300;  // what OpenFAST and our harness pass
-inline constexpr int kPrivateArraySize = 3712;   // what the master passes to its secondaries
+inline constexpr int kPrivateArraySize = 3776;   // what the master passes to its secondaries
 inline constexpr int kExtendedSignature = 1001;  // record 66 of an extended array
 inline constexpr int kChainLayoutVersion = 1;
 
-inline constexpr auto kBlocks =
-    std::to_array<RecordBlock>({kHostBlock, kPlatformBlock, kNativeLidarBlock, kOpenFastLidarBlock,
-                                kOpenFastDemandBlock, kChainBlock, kSignalBlock, kPrivateLogBlock});
+inline constexpr auto kBlocks = std::to_array<RecordBlock>(
+    {kHostBlock, kPlatformBlock, kNativeLidarBlock, kOpenFastLidarBlock, kOpenFastDemandBlock,
+     kChainBlock, kSignalBlock, kPrivateLogBlock, kPrivateGuoBlock});
 
 namespace detail {
 constexpr bool blocks_are_disjoint() {
@@ -143,7 +150,7 @@ constexpr bool records_are_in_a_named_block() {
 static_assert(detail::blocks_are_disjoint(), "two record blocks overlap");
 static_assert(detail::records_rise(), "a record stands twice or out of order");
 static_assert(detail::records_are_in_a_named_block());
-static_assert(kPrivateLogBlock.last() <= kPrivateArraySize);
+static_assert(kPrivateGuoBlock.last() <= kPrivateArraySize);
 static_assert(kOpenFastDemandBlock.last() <= kExtendedArraySize);
 
 /// The table entry of a record number, or nullptr.

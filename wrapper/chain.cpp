@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wrapper/chain.hpp"
 
+#include <algorithm>
+
 #include "core/discon_abi.h"
 #include "core/error.hpp"
 
 namespace lac {
-namespace {
-
-int length_of(std::string_view text) {
-  return static_cast<int>(text.size());
-}
-
-void tell_failure(const Secondary& s, Notice& notice) noexcept {
-  notice.fail("%s: %.*s", s.label().c_str(), length_of(s.message()), s.message().data());
-}
-
-}  // namespace
-
 Chain::Chain(WrapperParams params, const StartInfo& start, SwapView host,
              const std::filesystem::path& wrapper_folder)
-    : params_(std::move(params)), link_(params_.lidar, params_.extended_demands) {
+    : link_(params.lidar, params.extended_demands), params_(std::move(params)) {
   link_.require(host);
   link_.start(host, array_, link_state_);
   array_.view().set(Rec::ChainVersion, kChainLayoutVersion);
+  if (std::ranges::any_of(params_.secondaries, &SecondaryParams::guo)) {
+    guo_ = std::make_unique<GuoLink>(params_);
+    guo_state_ = guo_->initial_state();
+    if (!start.is_restart()) guo_->require(host, start.time_step_s, start_warning_);
+  }
   for (const SecondaryParams& s : params_.secondaries) {
     secondaries_.push_back(std::make_unique<Secondary>(params_, s, wrapper_folder, start.out_name));
   }
@@ -34,8 +29,9 @@ Chain::Chain(WrapperParams params, const StartInfo& start, SwapView host,
   }
   if (start.is_restart()) {
     step_ = start.steps + 1;
-    output.replace_filename(output.stem().string() + "." + std::to_string(step_) +
-                            output.extension().string());
+    std::filesystem::path name = output.stem() += ".";
+    name += std::to_string(step_);
+    output.replace_filename(name += output.extension());
   }
   if (params_.output.enabled) {
     log_ = std::make_unique<SignalLog>(params_.output, output, start.time_step_s, step_);
@@ -48,6 +44,9 @@ Chain::~Chain() {
 }
 
 void Chain::step(SwapView host, double time_s, Notice& notice) noexcept {
+  if (first_call_ && start_warning_.level() != 0) {
+    notice.warn("%s", std::string(start_warning_.text()).c_str());
+  }
   const bool inputs_good = take_inputs(host, time_s, notice);
   const bool all_went_well =
       call_all(first_call_ ? LAC_STATUS_FIRST : LAC_STATUS_STEP, time_s, notice);
@@ -66,10 +65,11 @@ void Chain::step(SwapView host, double time_s, Notice& notice) noexcept {
 bool Chain::take_inputs(SwapView host, double time_s, Notice& notice) noexcept {
   Notice doubts;
   link_.take_inputs(host, array_, link_state_, doubts);
+  if (guo_) guo_->fill(array_, link_state_.log_start, time_s, guo_state_, notice);
   if (doubts.level() == 0) {
     input_filter_.quiet();
   } else if (input_filter_.admit(doubts.text(), time_s)) {
-    notice.warn("%.*s", length_of(doubts.text()), doubts.text().data());
+    notice.warn("%.*s", static_cast<int>(doubts.text().size()), doubts.text().data());
   }
   SwapView view = array_.view();
   view.set(Rec::ChainVersion, kChainLayoutVersion);
@@ -81,25 +81,35 @@ bool Chain::call_all(int status, double time_s, Notice& notice) noexcept {
   SwapView view = array_.view();
   for (const auto& s : secondaries_) {
     if (status == LAC_STATUS_FIRST) view.set(Rec::ChainMember, 0.0);
-    s->call(array_, status, link_state_.log_start, link_.logging());
+    call(*s, status);
     if (!judge(*s, time_s, notice)) return false;
     if (status == LAC_STATUS_FIRST) {
       s->started = true;
       s->member = view.integer(Rec::ChainMember, 0) == 1;
     }
+    if (s->guo() && !s->member) guo_->give(array_, guo_state_);
   }
   return true;
 }
 
+void Chain::call(Secondary& s, int status) noexcept {
+  if (s.guo()) {
+    guo_->take(array_, guo_state_);
+    s.call(array_, status, kPrivateGuoBlock.first, false);
+  } else {
+    s.call(array_, status, link_state_.log_start, link_.logging());
+  }
+}
+
 bool Chain::judge(Secondary& s, double time_s, Notice& notice) noexcept {
   if (s.fail() < 0) {
-    tell_failure(s, notice);
+    s.tell_failure(notice);
     return false;
   }
   if (s.fail() == 0) {
     s.filter.quiet();
   } else if (s.filter.admit(s.message(), time_s)) {
-    notice.warn("%s: %.*s", s.label().c_str(), length_of(s.message()), s.message().data());
+    s.tell_warning(notice);
   }
   const int bad = HostLink::bad_demand(array_);
   if (bad == 0) return true;
@@ -113,78 +123,6 @@ void Chain::record_signals(Notice& notice) noexcept {
   if (log_ == nullptr || log_refused_ || log_->take(array_, step_)) return;
   log_refused_ = true;
   notice.warn("OutputFile: the disk refused to take more; the file will not be written");
-}
-
-void Chain::finish(SwapView /*host*/, Notice& notice) {
-  end_all(notice);
-  secondaries_.clear();
-  if (log_ != nullptr) log_->finish();
-}
-
-void Chain::end_all(Notice& notice) noexcept {
-  for (const auto& s : secondaries_) {
-    if (!s->started) continue;
-    s->started = false;
-    s->call(array_, LAC_STATUS_LAST, link_state_.log_start, link_.logging());
-    if (s->fail() < 0) tell_failure(*s, notice);
-    if (s->fail() > 0) {
-      notice.warn("%s: %.*s", s->label().c_str(), length_of(s->message()), s->message().data());
-    }
-    if (s->filter.hidden() > 0) {
-      notice.warn("%s: %lld more warnings were not shown", s->label().c_str(),
-                  static_cast<long long>(s->filter.hidden()));
-    }
-  }
-}
-
-void Chain::visit_state(StateArchive& archive) {
-  archive(array_), archive(link_state_), archive(input_filter_), archive(step_);
-  for (const auto& s : secondaries_) archive(s->filter);
-}
-
-std::filesystem::path Chain::checkpoint_of(std::size_t index,
-                                           const std::filesystem::path& file) const {
-  return file.string() + "." + std::to_string(index + 1) + "." + secondaries_[index]->name();
-}
-
-void Chain::checkpoint(const std::filesystem::path& file, SwapView /*host*/, Notice& notice) {
-  for (std::size_t i = 0; i < secondaries_.size(); ++i) {
-    Secondary& s = *secondaries_[i];
-    s.call_with_file(array_, LAC_STATUS_CHECKPOINT, checkpoint_of(i, file), link_state_.log_start,
-                     link_.logging());
-    if (s.fail() < 0) tell_failure(s, notice);
-  }
-  // Some controllers run a control step at this status.
-  link_.hold_demands(array_, link_state_);
-}
-
-// The array is as it was at -8 by now: some controllers look for their file by time and step.
-void Chain::restart(const std::filesystem::path& file, SwapView /*host*/, Notice& notice) {
-  SwapView view = array_.view();
-  first_call_ = false;
-  for (std::size_t i = 0; i < secondaries_.size(); ++i) {
-    Secondary& s = *secondaries_[i];
-    view.set(Rec::ChainMember, 0.0);
-    s.call_with_file(array_, LAC_STATUS_RESTART, checkpoint_of(i, file), link_state_.log_start,
-                     link_.logging());
-    if (s.fail() < 0) return tell_failure(s, notice);
-    s.started = true;
-    s.member = view.integer(Rec::ChainMember, 0) == 1;
-  }
-  link_.hold_demands(array_, link_state_);
-}
-
-void Chain::store_or_restore(int status, SwapView /*host*/, Notice& notice) {
-  for (const auto& s : secondaries_) {
-    if (s->member) {
-      s->call(array_, status, link_state_.log_start, link_.logging());
-      if (s->fail() < 0) tell_failure(*s, notice);
-    } else if (!store_reported_) {
-      notice.warn("%s does not know statuses -11 and -10 (store, restore): it is left out",
-                  s->label().c_str());
-    }
-  }
-  store_reported_ = true;
 }
 
 }  // namespace lac

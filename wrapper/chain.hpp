@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/discon_module.hpp"
+#include "wrapper/guo_link.hpp"
 #include "wrapper/host_link.hpp"
 #include "wrapper/private_array.hpp"
 #include "wrapper/secondary.hpp"
@@ -35,22 +35,28 @@ class Chain final : public DisconModule {
  private:
   bool take_inputs(SwapView host, double time_s, Notice& notice) noexcept;
   bool call_all(int status, double time_s, Notice& notice) noexcept;
+  void call(Secondary& secondary, int status) noexcept;
+  void call_with_file(std::size_t index, int status, const std::filesystem::path& file);
   bool judge(Secondary& secondary, double time_s, Notice& notice) noexcept;
   void record_signals(Notice& notice) noexcept;
   void end_all(Notice& notice) noexcept;
   std::filesystem::path checkpoint_of(std::size_t index, const std::filesystem::path& file) const;
 
-  WrapperParams params_;
+  // What a step needs stands together.
   HostLink link_;
-  PrivateArray array_;
-  HostLink::State link_state_;
-  WarningFilter input_filter_;
-  std::int64_t step_ = 0;  // number of the next call
   std::vector<std::unique_ptr<Secondary>> secondaries_;
+  std::unique_ptr<GuoLink> guo_;  // if there are Guo-type secondaries
   std::unique_ptr<SignalLog> log_;
+  std::int64_t step_ = 0;  // number of the next call
   bool log_refused_ = false;
   bool first_call_ = true;
   bool store_reported_ = false;
+  WarningFilter input_filter_;
+  HostLink::State link_state_;
+  PrivateArray array_;
+  GuoLink::State guo_state_;
+  Notice start_warning_;  // for the first call
+  WrapperParams params_;
 };
 
 }  // namespace lac

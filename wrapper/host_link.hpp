@@ -2,49 +2,23 @@
 // What passes between the host's array and the private one. Rules: see README.md.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "core/notice.hpp"
 #include "core/state_archive.hpp"
 #include "core/swap_view.hpp"
 #include "wrapper/chain_config.hpp"
+#include "wrapper/host_records.hpp"
 #include "wrapper/private_array.hpp"
 
 namespace lac {
-
-namespace detail {
-
-constexpr bool is_demand(const RecordInfo& r) {
-  return r.direction != Direction::In && r.index <= kHostBlock.last() &&
-         r.index != static_cast<int>(Rec::LogCount);  // counts values in the private log area
-}
-constexpr bool is_measured(const RecordInfo& r) {
-  return r.direction == Direction::In && r.index <= kHostBlock.last() && r.unit != "-";
-}
-template <auto predicate>
-constexpr auto records_where() {
-  constexpr auto count = std::count_if(kRecords.begin(), kRecords.end(), predicate);
-  std::array<int, static_cast<std::size_t>(count)> all{};
-  std::size_t n = 0;
-  for (const RecordInfo& r : kRecords) {
-    if (predicate(r)) all[n++] = r.index;
-  }
-  return all;
-}
-
-}  // namespace detail
-
-/// What the chain gives to the host (Out and Both), and what must be finite to control at all.
-inline constexpr auto kDemandRecords = detail::records_where<detail::is_demand>();
-inline constexpr auto kMeasuredRecords = detail::records_where<detail::is_measured>();
 
 /// [real time]
 class HostLink {
  public:
   struct State {
-    std::array<float, kHostBlock.size> good{};               // last finite host records
-    std::array<float, kDemandRecords.size()> demands{};      // last good demands
+    std::array<float, kPackedSize<kJudgedRuns>> good{};      // last finite inputs, packed
+    std::array<float, kPackedSize<kDemandRuns>> demands{};   // last good demands, packed
     std::array<bool, kMeasuredRecords.size()> not_finite{};  // measured records in doubt
     bool holding = false;                                    // any of them
     int log_start = kPrivateLogBlock.first;  // record 63 for the secondaries; Guo: lidar block
@@ -79,8 +53,8 @@ class HostLink {
   bool logging() const { return lidar_ != HostLidar::Guo; }
 
  private:
-  void take_doubtful_inputs(const float* host, State& state, Notice& notice) const noexcept;
-  void take_lidar(SwapView host, PrivateArray& array, State& state) const noexcept;
+  void take_doubtful_inputs(const float* host, PrivateArray& array, State& state,
+                            Notice& notice) const noexcept;
 
   HostLidar lidar_;
   bool extended_demands_;

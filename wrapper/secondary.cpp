@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <mutex>
 
 #include "core/call_strings.hpp"
 #include "core/error.hpp"
+#include "core/native_path.hpp"
 
 namespace lac {
 namespace {
@@ -23,6 +25,17 @@ void prepare_to_catch() {
   }
 }
 
+/// Images of one library share the run-time library of its language, and with it the table of open
+/// files of a Fortran program: where they open and close files, one comes after the other.
+std::unique_lock<std::recursive_mutex> alone_if(bool needed) {
+  static std::recursive_mutex one_at_a_time;
+  return needed ? std::unique_lock(one_at_a_time) : std::unique_lock<std::recursive_mutex>();
+}
+
+bool is_step(int status) {
+  return status == LAC_STATUS_STEP || status == LAC_STATUS_STORE || status == LAC_STATUS_RESTORE;
+}
+
 }  // namespace
 
 LentBuffer::LentBuffer(std::size_t capacity)
@@ -34,6 +47,17 @@ void LentBuffer::set(std::string_view text) noexcept {
   const std::size_t n = std::min(text.size(), capacity_ - 1);
   std::memcpy(bytes_.data(), text.data(), n);
   std::memset(bytes_.data() + n, 0, capacity_ - n);
+}
+
+void LentBuffer::clear_if_used() noexcept {
+  if (bytes_[0] == '\0') return;
+  const bool was_filled = bytes_[capacity_ - 2] != '\0';
+  if (was_filled && filled_before_) {
+    bytes_[0] = '\0';
+  } else {
+    std::memset(bytes_.data(), 0, capacity_);
+  }
+  filled_before_ = was_filled;
 }
 
 bool LentBuffer::holds(std::string_view text) const noexcept {
@@ -51,10 +75,12 @@ void LentBuffer::restore_guard() noexcept {
 
 Secondary::Secondary(const WrapperParams& params, const SecondaryParams& secondary,
                      const std::filesystem::path& wrapper_folder, const std::string& host_out_name)
-    : library_(params.open_library(secondary, wrapper_folder)),
+    : library_(params.open_library(secondary, wrapper_folder,
+                                   path_from_bytes(host_out_name).parent_path())),
       name_(secondary.name),
+      guo_(secondary.guo),
       label_(secondary.name + " (" + library_.path().filename().string() + ")"),
-      in_file_(secondary.input_file.string()),
+      in_file_(bytes_from_path(secondary.input_file)),
       out_root_(without_host_suffix(host_out_name) + "." + name_ + ".SrvD"),
       in_buffer_(in_file_.size() + 8) {
   prepare_to_catch();
@@ -73,7 +99,7 @@ void Secondary::call(PrivateArray& array, int status, int log_start, bool loggin
 
 void Secondary::call_with_file(PrivateArray& array, int status, const std::filesystem::path& file,
                                int log_start, bool logging) {
-  const std::string name = file.string();
+  const std::string name = bytes_from_path(file);
   LentBuffer buffer(name.size() + 8);
   buffer.set(name);
   call_as(array, status, name, buffer.data(), log_start, logging);
@@ -93,11 +119,11 @@ void Secondary::call_as(PrivateArray& array, int status, std::string_view in_fil
   view.set(Rec::ExtendedStart, kExtendedSignature);
   view.set(Rec::ArraySize, kPrivateArraySize);
 
-  // Zeroing costs more than a call; a buffer whose first byte is still 0 was not written to.
-  if (message_.data()[0] != '\0') message_.set("");
+  message_.clear_if_used();
   if (!out_buffer_.holds(out_root_)) out_buffer_.set(out_root_);
   fail_ = 0;
   message_text_ = {};
+  const auto alone = alone_if(!is_step(status) && library_.has_own_image());
   try {
     library_.entry()(view.data(), &fail_, in_buffer, out_buffer_.data(), message_.data());
   } catch (...) {
@@ -106,6 +132,16 @@ void Secondary::call_as(PrivateArray& array, int status, std::string_view in_fil
   }
   if (fail_ != 0 && message_text_.empty()) message_text_ = read_message(in_file);
   check_guards(array);
+}
+
+void Secondary::tell_failure(Notice& notice) const noexcept {
+  notice.fail("%s: %.*s", label_.c_str(), static_cast<int>(message_text_.size()),
+              message_text_.data());
+}
+
+void Secondary::tell_warning(Notice& notice) const noexcept {
+  notice.warn("%s: %.*s", label_.c_str(), static_cast<int>(message_text_.size()),
+              message_text_.data());
 }
 
 void Secondary::check_guards(PrivateArray& array) noexcept {

@@ -48,49 +48,91 @@ TEST_F(BadChain, MissingInputFile) {
 
 // Not found: every path that was tried is told.
 TEST_F(BadChain, LibraryNotFound) {
+  std::filesystem::path beside_the_master = built_library("wrapper");
+  beside_the_master.replace_filename("libnone" LAC_LIBRARY_SUFFIX);
   EXPECT_THAT(message_for(row("libnone")),
               AllOf(HasSubstr(in_file() + ":2: Secondary_1: library 'libnone' not found; tried:"),
-                    HasSubstr("\n  " + folder.file("libnone.so")),
-                    HasSubstr("\n  " + std::string(LAC_LIBRARY_DIR) + "/libnone.so"),
-                    HasSubstr("the system's own search: libnone.so")));
-  EXPECT_THAT(message_for(row("sub/libnone.so")),
-              AllOf(HasSubstr("\n  " + folder.file("sub/libnone.so")),
+                    HasSubstr("\n  " + folder.file("libnone" LAC_LIBRARY_SUFFIX)),
+                    HasSubstr("\n  " + beside_the_master.make_preferred().string()),
+                    HasSubstr("the system's own search: ")));
+  EXPECT_THAT(message_for(row("sub/libnone" LAC_LIBRARY_SUFFIX)),
+              AllOf(HasSubstr("\n  " + folder.file("sub/libnone" LAC_LIBRARY_SUFFIX)),
                     testing::Not(HasSubstr("system's own"))));
-  EXPECT_THAT(message_for(row("/no/where/libnone")),
-              HasSubstr("tried:\n  /no/where/libnone\n  /no/where/libnone.so"));
+  const std::string elsewhere = folder.file("no/where/libnone");
+  EXPECT_THAT(message_for(row(elsewhere)), testing::EndsWith("tried:\n  " + elsewhere + "\n  " +
+                                                             elsewhere + LAC_LIBRARY_SUFFIX));
 }
 
 TEST_F(BadChain, NotALibrary) {
-  folder.write("libtext.so", "I am a text file\n");
-  EXPECT_THAT(message_for(row("libtext")),
-              HasSubstr(folder.file("libtext.so") +
-                        ": cannot be loaded: it is not a library for this system"));
-  folder.write("libwin.so", std::string("MZ\x90\0\3\0", 6));
-  EXPECT_THAT(message_for(row("libwin")), HasSubstr("it is a Windows library"));
+  const std::string text = "libtext" LAC_LIBRARY_SUFFIX;
+  folder.write(text, "I am a text file\n");
+  EXPECT_THAT(
+      message_for(row("libtext")),
+      HasSubstr(folder.file(text) + ": cannot be loaded: it is not a library for this system"));
 }
 
-// ELF headers of other machines: 32-bit x86 (machine 3), 64-bit ARM (183), 64-bit RISC-V (243).
-TEST_F(BadChain, OtherMachine) {
-  const auto header = [](char elf_class, unsigned char machine) {
-    std::string h(64, '\0');
-    h.replace(0, 4,
-              "\x7f"
-              "ELF");
-    h[4] = elf_class;
-    h[5] = 1;
-    h[6] = 1;
-    h[16] = 3;
-    h[18] = static_cast<char>(machine);
-    h[20] = 1;
-    return h;
-  };
-  folder.write("x86.so", header(1, 3));
-  folder.write("arm.so", header(2, 183));
-  folder.write("riscv.so", header(2, 243));
-  EXPECT_THAT(message_for(row("x86")), HasSubstr("it is a 32-bit library for x86; this process"));
-  EXPECT_THAT(message_for(row("arm")), HasSubstr("it is a 64-bit library for ARM64; this process"));
-  EXPECT_THAT(message_for(row("riscv")), HasSubstr("for machine type 243; this process"));
+/// As much of a file of Linux as tells the machine.
+std::string elf_header(char bits, unsigned char machine) {
+  std::string h(64, '\0');
+  h.replace(1, 3, "ELF");
+  h[0] = '\x7f';
+  h[4] = bits;
+  h[5] = h[6] = h[20] = 1;
+  h[16] = 3;
+  h[18] = static_cast<char>(machine);
+  return h;
 }
+/// The same of Windows.
+std::string windows_header(char bits, const std::string& machine) {
+  std::string h(128, '\0');
+  h.replace(0, 2, "MZ");
+  h[0x3c] = 0x40;
+  h.replace(0x40, 2, "PE");
+  h.replace(0x44, 2, machine);
+  h[0x58] = 0x0b;
+  h[0x59] = bits;
+  return h;
+}
+
+// 32-bit x86 (ELF machine 3, Windows 14c), 64-bit ARM (183, aa64), 64-bit RISC-V (243, 5064).
+TEST_F(BadChain, OtherMachine) {
+#if defined(_WIN32)
+  const std::string elf = " Linux library for ", windows = " library for ";
+#else
+  const std::string elf = " library for ", windows = " Windows library for ";
+#endif
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {elf_header(1, 3), "a 32-bit" + elf + "x86"},
+      {elf_header(2, 183), "a 64-bit" + elf + "ARM64"},
+      {elf_header(2, 243), "a 64-bit" + elf + "machine type 243"},
+      {windows_header(1, "\x4c\x01"), "a 32-bit" + windows + "x86"},
+      {windows_header(2, "\x64\xaa"), "a 64-bit" + windows + "ARM64"},
+      {windows_header(2, "\x64\x50"), "a 64-bit" + windows + "machine type 20580"}};
+  for (const auto& [content, kind] : cases) {
+    folder.write("other" LAC_LIBRARY_SUFFIX, content);
+    EXPECT_THAT(message_for(row("other")), HasSubstr("it is " + kind + "; this process is "));
+  }
+}
+
+// A library that needs another one, which is not there.
+TEST_F(BadChain, LibraryOfALibrary) {
+  EXPECT_THAT(
+      message_for(row(toy("toy_orphan"))),
+      AllOf(HasSubstr(in_file() + ":2: Secondary_1: " + toy("toy_orphan") + ": cannot be loaded: "),
+            HasSubstr("toy_orphan_part")));
+}
+
+#if !defined(_WIN32)
+// Start-up code that aborts or throws ends the process, and with it the host: no message can reach
+// it, the name of the library is written to the standard error.
+using BadChainDeathTest = BadChain;
+TEST_F(BadChainDeathTest, CrashOnLoad) {
+  for (const std::string name : {"toy_aborts_on_load", "toy_throws_on_load"}) {
+    EXPECT_DEATH(message_for(row(toy(name))),
+                 "the process ended while it loaded .*lib" + name + "\\.so: the start-up code");
+  }
+}
+#endif
 
 TEST_F(BadChain, MissingInputFileOfASecondary) {
   EXPECT_THAT(
@@ -128,15 +170,17 @@ TEST_F(BadChain, Keys) {
   }
   EXPECT_THAT(message_for(many), HasSubstr(":65: Secondary_65: expected at most 64 secondaries"));
   const std::string r = row(toy("toy_empty"));
-  EXPECT_THAT(message_for(r + "nativ ! LidarLayout -\n"),
-              HasSubstr(":3: LidarLayout: found 'nativ', expected one of none, native, guo "
-                        "(did you mean 'native'?)"));
+  EXPECT_THAT(
+      message_for(r + "nativ ! LidarLayout -\n"),
+      HasSubstr(":3: LidarLayout: found 'nativ', expected one of none, native, guo, openfast "
+                "(did you mean 'native'?)"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\n"),
               HasSubstr("OutputChannels: missing, OutputFormat asks for an output file"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nGenSpeed ! OutputChannels -\n"),
-              HasSubstr(":4: OutputChannels: found 'GenSpeed', expected names of records or rec1"));
-  EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec3713 ! OutputChannels -\n"),
-              HasSubstr("found 'rec3713'"));
+              HasSubstr(":4: OutputChannels: found 'GenSpeed', expected names of records or "
+                        "signals, or rec1 ... rec3776"));
+  EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec3777 ! OutputChannels -\n"),
+              HasSubstr("found 'rec3777'"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec20 rec20 ! OutputChannels -\n"),
               HasSubstr(":4: OutputChannels: found 'rec20' twice"));
   EXPECT_THAT(
@@ -147,6 +191,25 @@ TEST_F(BadChain, Keys) {
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nno/where.csv ! OutputFile -\nrec20 ! "
                               "OutputChannels -\n"),
               HasSubstr("no/where.csv: cannot create this file"));
+}
+
+TEST_F(BadChain, Signals) {
+  const std::string r = row(toy("toy_empty"));
+  const auto with = [&](const std::string& signals) { return message_for(r + signals); };
+  EXPECT_THAT(with("a ! Signal_1 -\n"),
+              HasSubstr(":3: Signal_1: found 1 words, expected \"name\" record [\"unit\"]"));
+  EXPECT_THAT(with("a 3340 ! Signal_1 -\n"),
+              HasSubstr("Signal_1: found record '3340', expected a number from 3341 to 3400"));
+  EXPECT_THAT(with("a 3341.5 ! Signal_1 -\n"), HasSubstr("found record '3341.5', expected"));
+  EXPECT_THAT(with("a 3341 ! Signal_2 -\n"), HasSubstr("Signal_2: Signal_1 is missing"));
+  EXPECT_THAT(with("a 3341 ! Signal_1 -\nA 3342 ! Signal_2 -\n"),
+              HasSubstr(":4: Signal_2: the name 'A' is taken"));
+  EXPECT_THAT(with("a 3341 ! Signal_1 -\nb 3341 ! Signal_2 -\n"),
+              HasSubstr(":4: Signal_2: record 3341 is taken by 'a'"));
+  EXPECT_THAT(with("lidarrews 3341 ! Signal_1 -\n"),
+              HasSubstr("the name 'lidarrews' is taken: it is that of record 3303"));
+  EXPECT_THAT(with("rec20 3341 ! Signal_1 -\n"), HasSubstr("'rec20', which means a record"));
+  EXPECT_THAT(with("2a 3341 ! Signal_1 -\n"), HasSubstr("found the name '2a', expected letters"));
 }
 
 // Windows line ends, a byte-order mark, odd case and blanks are fine.

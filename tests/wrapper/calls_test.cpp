@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is called when, and with which strings and records.
-#include <dlfcn.h>
-
+#include "support/process_state.hpp"
 #include "wrapper/chain_fixture.hpp"
 
 namespace lac::test {
@@ -36,7 +35,8 @@ TEST_F(Calls, UnknownStatusesReachNobody) {
   host.call(0);
   for (const int status : {2, -2, -7, -12, 77}) EXPECT_EQ(host.call(status), 0);
   EXPECT_EQ(host.call(-11), 1);
-  EXPECT_THAT(host.message(), HasSubstr("a (libtoy_script.so) does not know statuses -11 and -10"));
+  EXPECT_THAT(host.message(), HasSubstr("a (libtoy_script" LAC_LIBRARY_SUFFIX
+                                        ") does not know statuses -11 and -10"));
   EXPECT_EQ(host.call(-10), 0);
   host.call(-1);
   EXPECT_EQ(folder.read("calls.log"), "a 0\na -1\n");
@@ -57,7 +57,7 @@ TEST_F(Calls, EachHasItsOwnStringsAndRecords) {
     const std::string root = folder.file("case." + name + ".SrvD");
     return "in=" + file + " end=0 out=" + root +
            " end=0 zeroed=1 fail=0 1=" + std::to_string(status) + " 49=2049 " +
-           "62=300 63=3401 64=12601 65=0 66=1001 129=3712\n";
+           "62=300 63=3401 64=12601 65=0 66=1001 129=3776\n";
   };
   EXPECT_EQ(folder.read("echo"), line("one", 0) + line("two", 0) + line("one", 1) + line("two", 1));
 }
@@ -94,8 +94,8 @@ TEST_F(Calls, EntryNameIsTakenFromTheRow) {
 
 // A library name without prefix path is searched beside the input file, suffix or not.
 TEST_F(Calls, LibraryBesideTheInputFile) {
-  std::filesystem::copy(toy("toy_empty"), folder.file("libmine.so"));
-  for (const std::string name : {"libmine", "libmine.so", "./libmine"}) {
+  std::filesystem::copy(toy("toy_empty"), folder.path("libmine" LAC_LIBRARY_SUFFIX));
+  for (const std::string name : {"libmine", "libmine" LAC_LIBRARY_SUFFIX, "./libmine"}) {
     TestHost host = host_for(write_chain({{"a", folder.file(name), "", ""}}, "", "a.IN"));
     EXPECT_EQ(host.call(0), 0) << host.message();
     host.call(-1);
@@ -107,21 +107,17 @@ TEST_F(Calls, LibraryBesideTheInputFile) {
   }
 }
 
-// After -1 no library is left in memory.
+// After -1 no library is left in memory, shared image or own.
 TEST_F(Calls, LibrariesAreUnloadedAtTheEnd) {
-  const auto loaded = [&](const std::string& name) {
-    void* handle = dlopen(toy(name).c_str(), RTLD_NOW | RTLD_NOLOAD);
-    if (handle != nullptr) dlclose(handle);
-    return handle != nullptr;
-  };
   TestHost host = host_for(
       write_chain({logging("a"), {"b", "toy_state", "", ""}, {"c", "toy_static", "", ""}}));
+  const int before = loaded_libraries();
   ASSERT_EQ(host.call(0), 0) << host.message();
-  EXPECT_TRUE(loaded("toy_script") && loaded("toy_state") && loaded("toy_static"));
+  EXPECT_TRUE(is_loaded(toy("toy_script")) && is_loaded(toy("toy_state")));
+  EXPECT_GT(loaded_libraries(), before);
   host.call(-1);
-  EXPECT_FALSE(loaded("toy_script"));
-  EXPECT_FALSE(loaded("toy_state"));
-  EXPECT_FALSE(loaded("toy_static"));
+  EXPECT_FALSE(is_loaded(toy("toy_script")) || is_loaded(toy("toy_state")));
+  EXPECT_EQ(loaded_libraries(), before);
 }
 
 // Two runs in one process with a library that refuses a second start in one image.

@@ -39,6 +39,35 @@ TEST(ChainConfig, ReadsEverything) {
   EXPECT_EQ(p.output.path("/runs/case.SrvD"), "/runs/sub/out.csv");
 }
 
+// Signals: name, record and unit, which default to nothing, and as output channels.
+TEST(ChainConfig, Signals) {
+  const test::TempFolder folder;
+  folder.write("l.IN", "");
+  InputFile in = InputFile::load(folder.write(
+      "w.IN",
+      "a libx l.IN ! Secondary_1 -\n\"CrestPitch\" 3400 \"rad\" ! Signal_1 -\n"
+      "Level_2 3341 ! Signal_2 -\ncsv ! OutputFormat -\nlevel_2 crestpitch ! OutputChannels -\n"));
+  const WrapperParams p = WrapperParams::read(in);
+  ASSERT_EQ(p.signals.size(), 2U);
+  EXPECT_EQ(p.signals[0].name, "CrestPitch");
+  EXPECT_EQ(p.signals[0].record, 3400);
+  EXPECT_EQ(p.signals[0].unit, "rad");
+  EXPECT_EQ(p.signals[1].unit, "-");
+  ASSERT_EQ(p.output.channels.size(), 2U);
+  EXPECT_EQ(p.output.channels[0].record, 3341);
+  EXPECT_EQ(p.output.channels[0].channel, (TableChannel{"Level_2", "-"}));
+  EXPECT_EQ(p.output.channels[1].channel, (TableChannel{"CrestPitch", "rad"}));
+}
+
+// The words that mean a record; the first and the last record of the array.
+TEST(ChainConfig, RawRecords) {
+  EXPECT_EQ(raw_record("rec1"), 1);
+  EXPECT_EQ(raw_record("REC3776"), kPrivateArraySize);
+  for (const char* word : {"rec", "rec0", "rec-1", "rec3777", "rec1x", "recs", "12"}) {
+    EXPECT_EQ(raw_record(word), 0) << word;
+  }
+}
+
 TEST(ChainConfig, OutputNameFromTheHostsRoot) {
   OutputParams out;
   out.ending = ".outb";

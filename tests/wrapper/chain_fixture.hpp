@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/discon_library.hpp"
+#include "support/library_names.hpp"
 #include "support/temp_folder.hpp"
 #include "support/test_host.hpp"
 
@@ -23,9 +25,9 @@ class ChainTest : public testing::Test {
     std::string entry;    // empty: not in the row
   };
 
-  static std::string master_path() { return std::string(LAC_LIBRARY_DIR) + "/liblac_wrapper.so"; }
+  static std::string master_path() { return built_library("wrapper"); }
   static std::string toy(const std::string& name) {
-    return std::string(LAC_TOY_DIR) + "/lib" + name + ".so";
+    return std::string(LAC_TOY_DIR) + "/lib" + name + LAC_LIBRARY_SUFFIX;
   }
 
   /// Writes <file> and the input files of the secondaries; gives the path of <file>.
@@ -37,7 +39,7 @@ class ChainTest : public testing::Test {
       const std::string input = file + "_" + row.name + ".txt";
       folder.write(input, row.input);
       const std::string library =
-          row.library.find('/') == std::string::npos ? toy(row.library) : row.library;
+          std::filesystem::path(row.library).has_parent_path() ? row.library : toy(row.library);
       text += "\"" + row.name + "\" \"" + library + "\" \"" + input + "\"";
       if (!row.entry.empty()) text += " \"" + row.entry + "\"";
       text += " ! Secondary_" + std::to_string(++n) + " - row\n";

@@ -24,7 +24,8 @@ TEST_F(Failures, FirstNegativeStopsTheChainAndHolds) {
   ASSERT_EQ(host.call(1), 0);
   const float held = host.get(Rec::TorqueDemand);
   EXPECT_EQ(host.call(1), -1);
-  EXPECT_EQ(host.message(), "wrapper: f (libtoy_state.so): toy_state: step 2 is the end");
+  EXPECT_EQ(host.message(),
+            "wrapper: f (libtoy_state" LAC_LIBRARY_SUFFIX "): toy_state: step 2 is the end");
   EXPECT_EQ(host.get(Rec::TorqueDemand), held);
   EXPECT_EQ(host.call(-1), 0);
   EXPECT_EQ(folder.read("calls.log"), "a 0\nc 0\na 1\nc 1\na 1\na -1\nc -1\n");
@@ -35,7 +36,7 @@ TEST_F(Failures, FailedFirstCallEndsThoseThatStarted) {
   TestHost host = host_for(
       write_chain({logging("a", "set 47 5"), logging("f", "fail 0 no such thing"), logging("c")}));
   EXPECT_EQ(host.call(0), -1);
-  EXPECT_EQ(host.message(), "wrapper: f (libtoy_script.so): no such thing");
+  EXPECT_EQ(host.message(), "wrapper: f (libtoy_script" LAC_LIBRARY_SUFFIX "): no such thing");
   EXPECT_EQ(folder.read("calls.log"), "a 0\nf 0\na -1\n");
   EXPECT_EQ(host.get(Rec::TorqueDemand), 0.0f);
   EXPECT_EQ(host.call(-1), 0);
@@ -49,7 +50,8 @@ TEST_F(Failures, LastCallReachesAll) {
       write_chain({logging("a", "fail -1 one"), logging("b"), logging("c", "fail -1 two")}));
   host.call(0);
   EXPECT_EQ(host.call(-1), -1);
-  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script.so): one; c (libtoy_script.so): two");
+  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script" LAC_LIBRARY_SUFFIX
+                            "): one; c (libtoy_script" LAC_LIBRARY_SUFFIX "): two");
   EXPECT_EQ(folder.read("calls.log"), "a 0\nb 0\nc 0\na -1\nb -1\nc -1\n");
 }
 
@@ -60,12 +62,12 @@ TEST_F(Failures, StandingWarningIsToldOnce) {
   host.set(Rec::GeneratorSpeed, 90.0f);
   EXPECT_EQ(host.call(0), 0);
   EXPECT_EQ(host.call(1), 1);
-  EXPECT_EQ(host.message(), "wrapper: b (libtoy_script.so): always");
+  EXPECT_EQ(host.message(), "wrapper: b (libtoy_script" LAC_LIBRARY_SUFFIX "): always");
   for (int i = 0; i < 50; ++i) EXPECT_EQ(host.call(1), 0);
   for (int episode = 0; episode < 2; ++episode) {
     host.set(Rec::GeneratorSpeed, 150.0f);
     EXPECT_EQ(host.call(1), 1);
-    EXPECT_EQ(host.message(), "wrapper: a (libtoy_script.so): too fast");
+    EXPECT_EQ(host.message(), "wrapper: a (libtoy_script" LAC_LIBRARY_SUFFIX "): too fast");
     for (int i = 0; i < 50; ++i) EXPECT_EQ(host.call(1), 0);
     host.set(Rec::GeneratorSpeed, 90.0f);
     EXPECT_EQ(host.call(1), 0);
@@ -82,8 +84,8 @@ TEST_F(Failures, ChangingWarningDoesNotFlood) {
   for (int i = 0; i < 4800; ++i) told += host.call(1);
   EXPECT_NEAR(told, 11, 1);
   EXPECT_EQ(host.call(-1), 1);
-  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script.so): " + std::to_string(4800 - told) +
-                                " more warnings were not shown");
+  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script" LAC_LIBRARY_SUFFIX "): " +
+                                std::to_string(4800 - told) + " more warnings were not shown");
 }
 
 // Writing next to what was lent is noticed at once and laid to the right library.
@@ -98,7 +100,8 @@ TEST_F(Failures, WritingOutOfBoundsIsNoticed) {
                                           {"bad", "toy_script", what, ""},
                                           {"after", "toy_script", "", ""}}));
     EXPECT_EQ(host.call(0), -1);
-    EXPECT_THAT(host.message(), HasSubstr("bad (libtoy_script.so): the library " + text));
+    EXPECT_THAT(host.message(),
+                HasSubstr("bad (libtoy_script" LAC_LIBRARY_SUFFIX "): the library " + text));
   }
 }
 
@@ -108,7 +111,7 @@ TEST_F(Failures, MessageWithoutTerminator) {
   EXPECT_EQ(host.call(0), 1);
   EXPECT_EQ(host.message().size(), 1024U);
   EXPECT_TRUE(host.message_was_terminated());
-  EXPECT_THAT(host.message(), HasSubstr("a (libtoy_script.so): mmmm"));
+  EXPECT_THAT(host.message(), HasSubstr("a (libtoy_script" LAC_LIBRARY_SUFFIX "): mmmm"));
   host.call(-1);
   for (const std::size_t capacity : {0U, 1U, 2U, 3U}) {
     host.message_capacity = capacity;
@@ -124,15 +127,16 @@ TEST_F(Failures, MessageWithoutTerminator) {
 TEST_F(Failures, NameInsideAMessage) {
   TestHost host = host_for(write_chain({{"a", "toy_script", "name_inside", ""}}));
   EXPECT_EQ(host.call(0), 1);
-  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script.so): in \"" + folder.file("chain.IN_a.txt") +
-                                "\": line 7 is wrong");
+  EXPECT_EQ(host.message(), "wrapper: a (libtoy_script" LAC_LIBRARY_SUFFIX "): in \"" +
+                                folder.file("chain.IN_a.txt") + "\": line 7 is wrong");
 }
 
 // A C++ exception of a secondary ends in the master.
 TEST_F(Failures, ExceptionOfASecondary) {
   TestHost host = host_for(write_chain({{"a", "toy_script", "throw", ""}}));
   EXPECT_EQ(host.call(0), -1);
-  EXPECT_THAT(host.message(), HasSubstr("a (libtoy_script.so): the library threw"));
+  EXPECT_THAT(host.message(),
+              HasSubstr("a (libtoy_script" LAC_LIBRARY_SUFFIX "): the library threw"));
 }
 
 // Status 1 before 0, -1 before 0, and record 3 of zero.

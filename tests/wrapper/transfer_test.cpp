@@ -38,13 +38,23 @@ TEST_F(Transfer, HostRecordsReachTheSecondaries) {
 // Secondaries share the array: what the first writes the second reads, also in the chain block
 // and in records the host does not have.
 TEST_F(Transfer, SecondariesShareTheArray) {
-  for (const char* shared : {"3303", "2999", "3700", "900"}) {
+  for (const char* shared : {"3303", "2999", "3341", "3700", "900"}) {
     const std::string r(shared);
     TestHost host = host_for(write_chain({{"a", "toy_script", "add " + r + " 20 1", ""},
                                           {"b", "toy_script", "add 47 " + r + " 1", ""}}));
     ASSERT_EQ(host.call(0), 0) << host.message();
     EXPECT_FLOAT_EQ(host.get(Rec::TorqueDemand), 124.9f) << r;
     host.call(-1);
+  }
+}
+
+// A signal keeps its value from call to call.
+TEST_F(Transfer, SignalsKeepTheirValues) {
+  TestHost host = host_for(write_chain({{"a", "toy_script", "count 3400\nadd 47 3400 0", ""}},
+                                       "steps 3400 ! Signal_1 -\n"));
+  for (int call = 0; call < 5; ++call) {
+    ASSERT_EQ(host.call(call == 0 ? 0 : 1), 0) << host.message();
+    EXPECT_EQ(host.get(Rec::TorqueDemand), static_cast<float>(call + 1));
   }
 }
 
@@ -180,6 +190,38 @@ TEST_F(Transfer, GuoLidarBlock) {
   EXPECT_EQ(host.at(175), 0.0f);  // results of the chain stay inside
 }
 
+// OpenFAST's block comes whole in every call; its values are the business of who reads it.
+TEST_F(Transfer, OpenFastLidarBlock) {
+  const int first = kOpenFastLidarBlock.first;
+  const int last = first + openfast_lidar::kSize - 1;
+  const std::string script = "add 47 " + std::to_string(first + openfast_lidar::kFirstSpeed) +
+                             " 0\nadd 48 " + std::to_string(last) + " 0\nadd 46 " +
+                             std::to_string(last + 1) + " 0\n";
+  TestHost host =
+      host_for(write_chain({{"a", "toy_script", script, ""}}, "OpenFAST ! LidarLayout -\n"));
+  host.put(last + 1, 77.0f);  // behind the block
+  for (const float speed : {11.0f, 12.0f}) {
+    host.put(first + openfast_lidar::kFirstSpeed, speed);
+    host.put(last, 2.0f * speed);
+    host.put(first + openfast_lidar::kFirstSpeed + 1, kNan);
+    ASSERT_EQ(host.call(speed == 11.0f ? 0 : 1), 0) << host.message();
+    EXPECT_EQ(host.get(Rec::TorqueDemand), speed);
+    EXPECT_EQ(host.get(Rec::YawRateDemand), 2.0f * speed);
+    EXPECT_EQ(host.get(Rec::PitchRateDemand), 0.0f);
+  }
+}
+
+// A host without the block is refused with those that have one.
+TEST_F(Transfer, OpenFastLidarNeedsTheLongArray) {
+  TestHost host = host_for(adder(20, "openfast ! LidarLayout -\n"), 500);
+  host.set(Rec::ExtendedStart, 0.0f);
+  host.set(Rec::ArraySize, 0.0f);
+  EXPECT_EQ(host.call(0), -1);
+  EXPECT_THAT(host.message(), HasSubstr("LidarLayout openfast needs records 2001-2024 (OpenFAST "
+                                        "lidar), but only 164 records of the host's array"));
+  EXPECT_THAT(host.message(), HasSubstr("ROSCO's Python class with its 500 floats, cannot"));
+}
+
 // Record 63 that points nowhere: no block, nothing read.
 TEST_F(Transfer, GuoLidarBlockOutOfReach) {
   TestHost host = host_for(adder(63, "guo ! LidarLayout -\n"), 464);
@@ -260,7 +302,8 @@ TEST_F(Transfer, NonFiniteDemandIsAFailure) {
     EXPECT_EQ(host.call(1), -1);
     EXPECT_EQ(host.at(record), held);
     EXPECT_THAT(host.message(),
-                HasSubstr("bad (libtoy_script.so): demand in record " + std::to_string(record)));
+                HasSubstr("bad (libtoy_script" LAC_LIBRARY_SUFFIX "): demand in record " +
+                          std::to_string(record)));
     host.call(-1);
   }
 }

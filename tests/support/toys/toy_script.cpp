@@ -27,7 +27,11 @@
 
 #include "core/discon_abi.h"
 
+const int LAC_DISCON_REENTRANT = 1;
+
 namespace {
+
+constexpr auto kAppend = std::ios::app | std::ios::binary;  // equal files on every system
 
 struct Call {
   float* swap;
@@ -58,7 +62,7 @@ std::string rest_of(std::istringstream& line) {
 }
 
 void echo(const Call& c, const std::string& file) {
-  std::ofstream out(file, std::ios::app);
+  std::ofstream out(file, kAppend);
   out << "in=" << std::string(c.in_file, static_cast<std::size_t>(c.integer(50)) - 1)
       << " end=" << static_cast<int>(c.in_file[c.integer(50) - 1])
       << " out=" << std::string(c.out_name, static_cast<std::size_t>(c.integer(51)) - 1)
@@ -99,7 +103,7 @@ void obey(const Call& c, const std::string& command) {
   line >> word;
   const bool runs = c.status() == 0 || c.status() == 1;
   if (word == "log" && line >> text) {
-    std::ofstream(text, std::ios::app) << c.name() << " " << c.status() << "\n";
+    std::ofstream(text, kAppend) << c.name() << " " << c.status() << "\n";
   } else if (word == "echo" && line >> text) {
     echo(c, text);
   } else if (word == "set" && line >> a >> value) {
@@ -131,7 +135,7 @@ extern "C" LAC_DISCON_EXPORT void LAC_DISCON_CALL DISCON(float* swap, int* fail,
   const Call call{swap, fail, in_file, out_name, message};
   const int status = call.status();  // at -8 and -9 the file is the checkpoint
   if (status == -8 || status == -9) {
-    std::ofstream(call.file() + ".toy", std::ios::app) << call.name() << " " << status << "\n";
+    std::ofstream(call.file() + ".toy", kAppend) << call.name() << " " << status << "\n";
     return;
   }
   std::ifstream script{call.file()};
