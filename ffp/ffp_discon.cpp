@@ -2,7 +2,8 @@
 // Records <-> Ffp. Reads the Lidar* records of the chain block, writes the Feedforward* ones.
 #include "core/chain_block.hpp"
 #include "core/discon_module.hpp"
-#include "ffp/ffp.hpp"
+#include "ffp/ffp_records.hpp"
+#include "ffp/guo_ffp_discon.hpp"
 
 namespace lac {
 namespace {
@@ -21,7 +22,7 @@ class FfpModule final : public DisconModule {
     in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
     const Ffp::Outputs out = ffp_.step(in, state_);
     report(in, out, notice);
-    write(out, swap);
+    write_feedforward(out, swap);
   }
 
   void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_); }
@@ -43,18 +44,6 @@ class FfpModule final : public DisconModule {
     was_on_ = was_on_ || out.reason == FfpReason::None;
   }
 
-  static void write(const Ffp::Outputs& out, SwapView& swap) noexcept {
-    swap.set(Rec::FeedforwardPitchRate, out.rate_radps);
-    swap.set(Rec::FeedforwardPitch, out.pitch_rad);
-    swap.set(Rec::FeedforwardActive, out.active);
-    swap.set(Rec::FeedforwardReason, static_cast<int>(out.reason));
-    swap.set(Rec::RewsFiltered, out.filtered_mps);
-    swap.set(Rec::RewsBuffered, out.buffered_mps);
-    swap.set(Rec::FeedforwardBufferTime, out.buffer_time_s);
-    swap.set(Rec::FeedforwardCutOff, out.cutoff_hz);
-    swap.set(Rec::FeedforwardLeadNeeded, out.lead_needed_s);
-  }
-
   Ffp ffp_;
   Ffp::State state_;
   FfpReason last_ = FfpReason::None;
@@ -67,7 +56,8 @@ const char* module_name() {
   return "ffp";
 }
 
-std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice&) {
+std::unique_ptr<DisconModule> make_module(const StartInfo& start, SwapView swap, Notice& notice) {
+  if (auto guo = make_guo_ffp(start, swap, notice)) return guo;
   InputFile in = InputFile::load(start.input_file);
   FfpParams params = FfpParams::read(in);
   params.check_time_step(in, start.time_step_s);
