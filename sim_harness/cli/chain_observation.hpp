@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/swap_view.hpp"
 #include "sim_harness/cli/access_observer.hpp"
 #include "wrapper/chain_config.hpp"
 
@@ -15,6 +16,10 @@ inline constexpr int kObservedSteps = 100;
 /// Records that belong to the call itself (status, time step, sizes of strings ...): everybody
 /// reads them.
 bool is_of_the_call(int record);
+
+/// Writes a lidar of this layout into a host's array: at every call, with values that change
+/// slowly.
+void place_lidar(HostLidar layout, SwapView host, double time_s, bool is_new);
 
 struct SecondaryAccess {
   std::string name;

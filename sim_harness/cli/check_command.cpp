@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <ostream>
 
 #include "core/error.hpp"
 #include "sim_harness/cli/chain_observation.hpp"
 #include "sim_harness/cli/commands.hpp"
+#include "sim_harness/cli/record_map.hpp"
 #include "sim_harness/cli/temporary_folder.hpp"
 #include "sim_harness/host/controller_host.hpp"
 #include "sim_harness/output/text_table.hpp"
 #include "wrapper/chain.hpp"
+#include "wrapper/guo_wrapper_file.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
+
+/// The chain that the master would make of the file, of our form or of Guo's.
+WrapperParams read_chain(const fs::path& file, Notice& notice) {
+  if (std::optional<WrapperParams> theirs = read_guo_wrapper_file(file, notice)) return *theirs;
+  InputFile in = InputFile::load(file);
+  return WrapperParams::read(in);
+}
 
 /// What the first call meets.
 struct Trial {
@@ -23,15 +33,15 @@ struct Trial {
 };
 
 /// The array of our host, and in it a turbine at work above rated, as any controller could meet it.
-Trial prepare_trial(const fs::path& input, const fs::path& folder) {
+Trial prepare_trial(const fs::path& input, HostLidar lidar, const fs::path& folder) {
   HostSetup setup;
   setup.library_folders = folders_beside_program();
   setup.input_file = input.string();
   setup.output_root = (folder / "check").string();
   setup.initial_pitch_rad = 0.2;
   ControllerHost host(setup, [](double, const std::string&) {});
-  host.set_lidar({}, false);
   SwapView swap = host.swap();
+  place_lidar(lidar, swap, 0.0, false);
   for (const Rec blade : {Rec::PitchBlade1, Rec::PitchBlade2, Rec::PitchBlade3}) {
     swap.set(blade, setup.initial_pitch_rad);
   }
@@ -89,65 +99,15 @@ void print_order(const WrapperParams& chain, const Trial& trial, std::ostream& o
   out << table.text();
 }
 
-/// The names of those who touch one of the records.
-std::string users(const std::vector<SecondaryAccess>& all, int first, int last,
-                  std::vector<bool> ObservedArray::Accesses::*how) {
-  std::string names;
-  for (const SecondaryAccess& s : all) {
-    const std::vector<bool>& touched = s.accesses.*how;
-    const bool any =
-        std::any_of(touched.begin() + first, touched.begin() + last + 1, [](bool t) { return t; });
-    if (any) names += (names.empty() ? "" : ", ") + s.name;
-  }
-  return names;
-}
-
-void add_row(const std::vector<SecondaryAccess>& all, const std::string& record,
-             const std::string& name, int first, int last, bool from_host, TextTable& table,
-             std::vector<std::string>& unwritten) {
-  std::string writers = users(all, first, last, &ObservedArray::Accesses::written);
-  const std::string readers = users(all, first, last, &ObservedArray::Accesses::read);
-  if (writers.empty() && readers.empty()) return;
-  if (from_host) writers = writers.empty() ? "host" : "host, " + writers;
-  if (writers.empty()) unwritten.push_back(name + " (" + record + ") by " + readers);
-  table.add_row({record, name, writers.empty() ? "nobody" : writers, readers});
-}
-
-void print_records_in_use(const WrapperParams& chain, const std::vector<SecondaryAccess>& all,
-                          std::ostream& out) {
+void print_records_in_use(const std::vector<RecordUse>& map, std::ostream& out) {
   TextTable table({"record", "name", "written by", "read by"});
-  std::vector<std::string> unwritten;
-  for (int record = 1; record <= kPrivateArraySize; ++record) {
-    if (record == kNativeLidarBlock.first || record == kOpenFastLidarBlock.first) {
-      const bool native = record == kNativeLidarBlock.first;
-      const RecordBlock& block = native ? kNativeLidarBlock : kOpenFastLidarBlock;
-      add_row(all, std::to_string(block.first) + "-" + std::to_string(block.last()),
-              std::string(block.name), block.first, block.last(),
-              native && chain.lidar == HostLidar::Native, table, unwritten);
-      record = block.last();
-      continue;
-    }
-    const RecordInfo* info = find_record(record);
-    const bool from_host = info == nullptr ? record <= kPlatformBlock.last()
-                                           : info->writer == "host" || info->writer == "wrapper";
-    add_row(all, std::to_string(record), info != nullptr ? std::string(info->name) : "-", record,
-            record, from_host, table, unwritten);
+  for (const RecordUse& use : map) {
+    std::string records = std::to_string(use.first);
+    if (use.last > use.first) records.append("-").append(std::to_string(use.last));
+    table.add_row({records, use.name, use.writers.empty() ? "nobody" : joined(use.writers),
+                   joined(use.readers)});
   }
   out << table.text();
-  for (const std::string& text : unwritten) out << "read, but written by nobody: " << text << '\n';
-}
-
-/// A lidar block that somebody reads and the master does not pass on.
-void warn_of_lidar_layout(const WrapperParams& chain, const std::vector<SecondaryAccess>& all,
-                          std::ostream& out) {
-  if (chain.lidar == HostLidar::Native) return;
-  const std::string readers =
-      users(all, kNativeLidarBlock.first, kNativeLidarBlock.last(), &ObservedArray::Accesses::read);
-  if (readers.empty()) return;
-  out << "warning: " << chain.file.string() << ": LidarLayout is "
-      << (chain.lidar == HostLidar::None ? "none" : "guo") << ", but " << readers
-      << " reads the native lidar block (" << kNativeLidarBlock.first << '-'
-      << kNativeLidarBlock.last() << "), which stays empty; expected LidarLayout native\n";
 }
 
 std::string problems_of(const std::vector<SecondaryAccess>& all) {
@@ -162,23 +122,26 @@ std::string problems_of(const std::vector<SecondaryAccess>& all) {
 }  // namespace
 
 void check_command(const fs::path& wrapper_input, std::ostream& out) {
-  InputFile in = InputFile::load(wrapper_input);
-  const WrapperParams chain = WrapperParams::read(in);
+  Notice found;
+  const WrapperParams chain = read_chain(wrapper_input, found);
   require_output_folder(chain);
   const TemporaryFolder folder;
-  Trial trial = prepare_trial(wrapper_input, folder.path());
+  Trial trial = prepare_trial(wrapper_input, chain.lidar, folder.path());
   try_master(chain, trial);
   print_order(chain, trial, out);
+  if (found.level() != 0) out << "note: " << found.text() << '\n';
   for (const std::string& text : trial.warnings) out << "warning: " << text << '\n';
   const std::vector<SecondaryAccess> all =
       observe_chain(chain, trial.master.parent_path(), trial.array, trial.out_name);
   out << "\nRecords in use, as observed over " << kObservedSteps << " steps"
       << (ObservedArray::available() ? "" : " (reads cannot be observed on this system)")
       << "; those of the call itself are left out:\n";
-  print_records_in_use(chain, all, out);
-  warn_of_lidar_layout(chain, all, out);
+  print_records_in_use(record_map(chain, all), out);
+  for (const std::string& text : doubts(chain, all)) out << "note: " << text << '\n';
   const std::string problems = problems_of(all);
   if (!problems.empty()) throw Error(problems);
+  const std::string conflict = writers_in_conflict(chain, all);
+  if (!conflict.empty()) throw Error(conflict);
   out << "\nThe chain is ready to fly.\n";
 }
 

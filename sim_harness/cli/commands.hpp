@@ -20,8 +20,13 @@ void run_command(const RunOptions& options, std::ostream& out);
 
 /// `lac check`: reads the input of the master, finds and loads all libraries, makes a first and a
 /// last call with the master's own code, its output file left out, prints the order of calls and
-/// who reads and writes which record. Throws lac::Error.
+/// who reads and writes which record. Throws lac::Error; also if two secondaries write one record
+/// that SharedRecords does not name.
 void check_command(const std::filesystem::path& wrapper_input, std::ostream& out);
+
+/// `lac trace`: what a host sent and a controller answered, from a file of the host probe. Throws
+/// lac::Error.
+void trace_command(const std::filesystem::path& file, std::ostream& out);
 
 /// `lac --version`.
 void print_version(std::ostream& out);

@@ -57,6 +57,24 @@ void print_lidar_block(std::ostream& out) {
   }
 }
 
+/// OpenFAST's lidar layout, which depends on the number n of points.
+void print_openfast_lidar_block(std::ostream& out) {
+  namespace of = openfast_lidar;
+  const int first = kOpenFastLidarBlock.first;
+  out << "\n## OpenFAST lidar block\n\nn = beams x gates, at most " << of::kMaxPoints
+      << "; positions in OpenFAST's global frame.\n\n| record | meaning |\n|---:|---|\n| "
+      << first + of::kSensorType
+      << " | sensor type: 0 none, 1 single points, 2 continuous wave, 3 pulsed |\n| "
+      << first + of::kNumberOfBeams << " | beams |\n| " << first + of::kNumberOfGates
+      << " | gates |\n";
+  constexpr const char* kStarts[] = {"", " + n", " + 2 n", " + 3 n"};
+  constexpr const char* kMeanings[] = {"speed [m/s]", "x [m]", "y [m]", "z [m]"};
+  for (int i = 0; i < 4; ++i) {
+    out << "| " << first + of::kFirstSpeed << kStarts[i]
+        << " + i | point i = 0, 1, ...: " << kMeanings[i] << " |\n";
+  }
+}
+
 }  // namespace
 
 void print_version(std::ostream& out) {
@@ -89,6 +107,7 @@ void print_records(std::ostream& out) {
     out << "| " << b.name << " | " << b.first << " | " << b.last() << " |\n";
   }
   print_lidar_block(out);
+  print_openfast_lidar_block(out);
 }
 
 }  // namespace lac::sim

@@ -4,150 +4,129 @@
 namespace lac::sim {
 namespace {
 
-enum class Prefix { None, H66, F3, F2 };  // in the order of the pp field of VEX and EVEX
+enum Prefix { None = 1, H66 = 2, F3 = 4, F2 = 8, Any = 15 };
+constexpr Prefix kPrefixes[] = {None, H66, F3, F2};  // in the order of VEX and EVEX
+enum Map { OneByte, Map0F, Map0F38, Map0F3A };
+constexpr std::size_t kVector = 100, kHalf = 101, kByPrefix = 102, kReal = 103;
+
+/// Operand widths of opcodes `first` to `last`, in bytes or as one of the words above.
+struct Rule {
+  int map;
+  int prefixes;
+  int first, last;
+  std::size_t width;
+};
+
+/// The first one that fits holds. What none fits takes the whole vector, in map 0 an integer.
+constexpr Rule kRules[] = {
+    {OneByte, Any, 0x63, 0x63, 4},            // movsxd
+    {OneByte, Any, 0xd8, 0xdb, 4},            // x87, float
+    {OneByte, Any, 0xdc, 0xdf, 8},            // x87, double
+    {OneByte, Any, 0x00, 0xff, kReal},        // integers: 4, or 8 if wide
+    {Map0F, F3, 0x12, 0x16, kVector},         // movsldup, movshdup
+    {Map0F, Any, 0x12, 0x13, 8},              // half a register
+    {Map0F, Any, 0x16, 0x17, 8},              // the other half
+    {Map0F, F3 | F2, 0x2c, 0x2d, kByPrefix},  // to integers
+    {Map0F, None, 0x2e, 0x2f, 4},             // compare
+    {Map0F, H66, 0x2e, 0x2f, 8},
+    {Map0F, Any, 0x40, 0x4f, kReal},   // conditional move
+    {Map0F, None, 0x5a, 0x5a, kHalf},  // floats to doubles
+    {Map0F, Any, 0x5b, 0x5b, kVector},
+    {Map0F, Any, 0x10, 0x11, kByPrefix},  // moves
+    {Map0F, Any, 0x51, 0x5f, kByPrefix},  // arithmetic
+    {Map0F, Any, 0xc2, 0xc2, kByPrefix},  // compare to a mask
+    {Map0F, F3, 0x7e, 0x7e, 8},
+    {Map0F, Any, 0x6e, 0x6e, kReal},
+    {Map0F, Any, 0x7e, 0x7e, kReal},
+    {Map0F, Any, 0xa0, 0xc1, kReal},  // integers
+    {Map0F, Any, 0xc3, 0xc3, kReal},
+    {Map0F, Any, 0xd6, 0xd6, 8},
+    {Map0F38, Any, 0x18, 0x18, 4},  // one element to all
+    {Map0F38, Any, 0x58, 0x58, 4},
+    {Map0F38, Any, 0x19, 0x19, 8},
+    {Map0F38, Any, 0x59, 0x59, 8},
+    {Map0F38, Any, 0xf0, 0xff, kReal},  // integers
+    {Map0F3A, Any, 0x0a, 0x0a, 4},      // round
+    {Map0F3A, Any, 0x17, 0x17, 4},      // extract, insert
+    {Map0F3A, Any, 0x21, 0x21, 4},
+    {Map0F3A, Any, 0x18, 0x19, 16},
+    {Map0F3A, Any, 0x38, 0x39, 16},
+};
 
 struct Instruction {
-  Prefix prefix = Prefix::None;
+  Prefix prefix = None;
   bool wide = false;  // REX.W or its like
-  int map = 0;        // 0: one byte, 1: 0F, 2: 0F 38, 3: 0F 3A
+  int map = OneByte;
   std::size_t vector = 16;
-  bool broadcast = false;
-  const std::uint8_t* opcode = nullptr;
+  int opcode = 0;
 
-  std::size_t integer() const { return wide ? 8 : prefix == Prefix::H66 ? 2 : 4; }
-  std::size_t real() const { return wide ? 8 : 4; }
-  /// ps and pd take a vector, ss and sd one number.
-  std::size_t by_prefix() const {
-    return prefix == Prefix::F3 ? 4 : prefix == Prefix::F2 ? 8 : vector;
+  std::size_t bytes(std::size_t width) const {
+    switch (width) {
+      case kVector:
+        return vector;
+      case kHalf:
+        return vector / 2;
+      case kByPrefix:  // ps and pd take a vector, ss and sd one number
+        return prefix == F3 ? 4 : prefix == F2 ? 8 : vector;
+      case kReal:
+        return wide ? 8 : 4;
+      default:
+        return width;
+    }
   }
 };
 
-void read_legacy(const std::uint8_t* code, Instruction& i) {
+Instruction read_legacy(const std::uint8_t* code) {
+  Instruction i;
   for (;; ++code) {
-    if (*code == 0xF3) {
-      i.prefix = Prefix::F3;
-    } else if (*code == 0xF2) {
-      i.prefix = Prefix::F2;
+    if (*code == 0xf3 || *code == 0xf2) {
+      i.prefix = *code == 0xf3 ? F3 : F2;
     } else if (*code == 0x66) {
-      if (i.prefix == Prefix::None) i.prefix = Prefix::H66;
-    } else if ((*code & 0xF0) == 0x40) {
+      if (i.prefix == None) i.prefix = H66;
+    } else if ((*code & 0xf0) == 0x40) {
       i.wide = (*code & 0x08) != 0;
-    } else if (*code != 0xF0 && *code != 0x67 && (*code & 0xE7) != 0x26 && *code != 0x64 &&
-               *code != 0x65) {
+    } else if (*code != 0xf0) {  // lock
       break;
     }
   }
-  if (*code == 0x0F) {
-    i.map = code[1] == 0x38 ? 2 : code[1] == 0x3A ? 3 : 1;
-    code += i.map == 1 ? 1 : 2;
+  if (*code == 0x0f) {
+    i.map = code[1] == 0x38 ? Map0F38 : code[1] == 0x3a ? Map0F3A : Map0F;
+    code += i.map == Map0F ? 1 : 2;
   }
-  i.opcode = code;
-}
-
-Instruction read_instruction(const std::uint8_t* code) {
-  Instruction i;
-  if (*code == 0xC5) {
-    i.prefix = static_cast<Prefix>(code[1] & 3);
-    i.vector = (code[1] & 4) != 0 ? 32 : 16;
-    i.map = 1;
-    i.opcode = code + 2;
-  } else if (*code == 0xC4) {
-    i.prefix = static_cast<Prefix>(code[2] & 3);
-    i.vector = (code[2] & 4) != 0 ? 32 : 16;
-    i.wide = (code[2] & 0x80) != 0;
-    i.map = code[1] & 0x1F;
-    i.opcode = code + 3;
-  } else if (*code == 0x62) {
-    i.prefix = static_cast<Prefix>(code[2] & 3);
-    i.vector = std::size_t{16} << ((code[3] >> 5) & 3);
-    i.wide = (code[2] & 0x80) != 0;
-    i.broadcast = (code[3] & 0x10) != 0;
-    i.map = code[1] & 7;
-    i.opcode = code + 4;
-  } else {
-    read_legacy(code, i);
-  }
+  i.opcode = *code;
   return i;
 }
 
-std::size_t one_byte(const Instruction& i) {
-  const std::uint8_t op = *i.opcode;
-  const int field = (i.opcode[1] >> 3) & 7;
-  if (op >= 0xD8 && op <= 0xDF) {  // x87
-    if ((op == 0xDB && field >= 4) || (op == 0xDF && (field == 4 || field == 6))) return 10;
-    return op == 0xDC || op == 0xDD || (op == 0xDF && field >= 4) ? 8 : 4;
+Instruction read_instruction(const std::uint8_t* code) {
+  switch (*code) {
+    case 0xc5:
+      return {kPrefixes[code[1] & 3], false, Map0F, code[1] & 4 ? 32U : 16U, code[2]};
+    case 0xc4:
+      return {kPrefixes[code[2] & 3], (code[2] & 0x80) != 0, code[1] & 0x1f,
+              code[2] & 4 ? 32U : 16U, code[3]};
+    case 0x62:
+      return {kPrefixes[code[2] & 3], (code[2] & 0x80) != 0, code[1] & 7,
+              std::size_t{16} << ((code[3] >> 5) & 3), code[4]};
+    default:
+      return read_legacy(code);
   }
-  if (op == 0x63) return 4;                                // movsxd
-  if (op == 0x8F || (op == 0xFF && field >= 2)) return 8;  // push, pop, jump
-  return i.integer();
 }
 
-std::size_t two_byte(const Instruction& i) {
-  const std::uint8_t op = *i.opcode;
-  const bool h66 = i.prefix == Prefix::H66;
-  const bool scalar = i.prefix == Prefix::F3 || i.prefix == Prefix::F2;
-  if (op == 0x12 || op == 0x13 || op == 0x16 || op == 0x17) {  // half a register
-    return i.prefix == Prefix::F3 || (i.prefix == Prefix::F2 && i.vector > 16) ? i.vector : 8;
-  }
-  if (op == 0x2A) return scalar ? i.real() : 8;  // from integers
-  if (op == 0x2C || op == 0x2D) return scalar || h66 ? i.by_prefix() : 8;
-  if (op == 0x2E || op == 0x2F) return h66 ? 8 : 4;  // compare
-  if (op == 0x5A && i.prefix == Prefix::None) return i.vector / 2;
-  if (op == 0x6E || (op == 0x7E && i.prefix != Prefix::F3)) return i.real();
-  if (op == 0x7E || op == 0xD6) return 8;
-  if (op == 0xE6 && i.prefix == Prefix::F3) return i.vector / 2;
-  if (op == 0x10 || op == 0x11 || (op >= 0x51 && op <= 0x5F && op != 0x5B) || op == 0xC2) {
-    return i.by_prefix();
-  }
-  if (op == 0xB6 || op == 0xBE) return 1;
-  if (op == 0xB7 || op == 0xBF || op == 0xC4) return 2;
-  if (op == 0xC7) return 16;  // compare and exchange
-  const bool vector = op == 0x14 || op == 0x15 || (op >= 0x28 && op <= 0x2B) ||
-                      (op >= 0x54 && op <= 0x7F) || op == 0xC6 || op >= 0xD0;
-  return vector ? i.vector : i.integer();
-}
-
-std::size_t op_0F38(const Instruction& i) {
-  const std::uint8_t op = *i.opcode;
-  if (op == 0x18 || op == 0x58) return 4;  // one element to all
-  if (op == 0x19 || op == 0x59) return 8;
-  if (op == 0x78) return 1;
-  if (op == 0x79) return 2;
-  if (op == 0x1A || op == 0x5A) return 16;
-  if (op == 0x1B || op == 0x5B) return 32;
-  if (op >= 0x99 && op <= 0xBF && (op & 0x0F) >= 0x09 && op % 2 == 1) return i.real();  // fma
-  return op >= 0xF0 ? i.integer() : i.vector;
-}
-
-std::size_t op_0F3A(const Instruction& i) {
-  const std::uint8_t op = *i.opcode;
-  if (op == 0x14 || op == 0x20) return 1;
-  if (op == 0x15) return 2;
-  if (op == 0x0A || op == 0x17 || op == 0x21) return 4;
-  if (op == 0x0B) return 8;
-  if (op == 0x16 || op == 0x22 || op == 0xF0) return i.real();
-  if (op == 0x18 || op == 0x19 || op == 0x38 || op == 0x39) return 16;
-  if (op == 0x1A || op == 0x1B || op == 0x3A || op == 0x3B) return 32;
-  return op == 0x1D ? i.vector / 2 : i.vector;
+/// Fused multiply-add of one number.
+bool is_scalar_fma(const Instruction& i) {
+  return i.map == Map0F38 && i.opcode >= 0x99 && i.opcode <= 0xbf && (i.opcode & 9) == 9;
 }
 
 }  // namespace
 
 std::size_t memory_operand_bytes(const std::uint8_t* code) {
   const Instruction i = read_instruction(code);
-  if (i.broadcast) return i.real();
-  switch (i.map) {
-    case 0:
-      return one_byte(i);
-    case 1:
-      return two_byte(i);
-    case 2:
-      return op_0F38(i);
-    case 3:
-      return op_0F3A(i);
-    default:
-      return i.vector;
+  if (is_scalar_fma(i)) return i.bytes(kReal);
+  for (const Rule& r : kRules) {
+    const bool fits = r.map == i.map && (r.prefixes & i.prefix) != 0;
+    if (fits && i.opcode >= r.first && i.opcode <= r.last) return i.bytes(r.width);
   }
+  return i.vector;
 }
 
 }  // namespace lac::sim

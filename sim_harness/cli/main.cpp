@@ -8,6 +8,8 @@
 
 #include "core/suggest.hpp"
 #include "sim_harness/cli/commands.hpp"
+#include "sim_harness/cli/migrate_command.hpp"
+#include "sim_harness/cli/wind_options.hpp"
 
 namespace {
 
@@ -25,17 +27,19 @@ std::vector<std::string> known_words(const CLI::App& app) {
 
 /// "unknown option '--outptu' (did you mean '--output'?)", or the parser's own words.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const CLI::App& at = chosen.empty() ? app : *chosen.front();
-  const std::vector<std::string> extras = app.remaining(true);
-  if (extras.empty()) {
-    return std::string(error.what()) + "; 'lac" + (chosen.empty() ? "" : " " + at.get_name()) +
-           " --help' lists what there is";
+  const CLI::App* at = &app;
+  std::string place = "lac";
+  while (!at->get_subcommands().empty()) {
+    at = at->get_subcommands().front();
+    place += " " + at->get_name();
   }
+  const std::string hint = "; '" + place + " --help' lists what there is";
+  const std::vector<std::string> extras = app.remaining(true);
+  if (extras.empty()) return std::string(error.what()) + hint;
   const std::string word = extras.front().substr(0, extras.front().find('='));
-  const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "word";
-  return "unknown " + what + " '" + word + "'" + lac::did_you_mean(word, known_words(at)) +
-         "; 'lac" + (chosen.empty() ? "" : " " + at.get_name()) + " --help' lists what there is";
+  const bool command_wanted = !at->get_subcommands({}).empty();
+  const std::string what = word.starts_with('-') ? "option" : command_wanted ? "command" : "word";
+  return "unknown " + what + " '" + word + "'" + lac::did_you_mean(word, known_words(*at)) + hint;
 }
 
 int fail(const std::string& text) {
@@ -59,9 +63,23 @@ int run_program(int argc, char** argv) {
   run_command->add_option("--output", run.output_folder, "Folder for the results");
 
   std::string wrapper_input;
-  CLI::App* check_command =
-      app.add_subcommand("check", "Try a chain: read all its inputs, load it, call it once");
+  CLI::App* check_command = app.add_subcommand(
+      "check", "Try a chain: load and call it, show who reads and writes each record");
   check_command->add_option("input", wrapper_input, "Input file of the master")->required();
+
+  std::string trace_file;
+  CLI::App* trace_command =
+      app.add_subcommand("trace", "Show what a host sends, from a file of the host probe");
+  trace_command->add_option("file", trace_file, "Trace (.lactrace)")->required();
+
+  lac::sim::MigrateOptions migrate;
+  CLI::App* migrate_command =
+      app.add_subcommand("migrate", "Turn an input file of Guo's chain into one of our own form");
+  migrate_command->add_option("file", migrate.file, "Its WRAPPER.IN, LDP or FFP file")->required();
+  migrate_command->add_option("-o,--output", migrate.output, "File to write; without it, printed");
+  migrate_command->add_flag("--force", migrate.force, "Replace a file that is there already");
+
+  lac::sim::WindOptions wind(app);
 
   CLI::App* records_command = app.add_subcommand("records", "Print the map of records");
 
@@ -76,6 +94,9 @@ int run_program(int argc, char** argv) {
   if (version) return lac::sim::print_version(std::cout), 0;
   if (run_command->parsed()) return lac::sim::run_command(run, std::cout), 0;
   if (check_command->parsed()) return lac::sim::check_command(wrapper_input, std::cout), 0;
+  if (trace_command->parsed()) return lac::sim::trace_command(trace_file, std::cout), 0;
+  if (migrate_command->parsed()) return lac::sim::migrate_command(migrate, std::cout), 0;
+  if (wind.parsed()) return wind.run(std::cout);
   if (records_command->parsed()) return lac::sim::print_records(std::cout), 0;
   std::cout << app.help();
   return 0;

@@ -7,13 +7,14 @@
 #include <sstream>
 #include <utility>
 
+#include "core/call_strings.hpp"
 #include "core/error.hpp"
 
 namespace lac::sim {
 namespace {
 
-constexpr int kMessageCapacity = 8197;
-constexpr int kOutNameCapacity = 12601;
+constexpr int kMessageCapacity = kOpenFastMessageCapacity;
+constexpr int kOutNameCapacity = kOpenFastOutNameCapacity;
 constexpr int kMostLogged = 300;
 constexpr int kFirstFreeRecord = 165;
 

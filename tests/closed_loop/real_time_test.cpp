@@ -14,7 +14,7 @@
 #include "support/temp_folder.hpp"
 
 #include "support/no_alloc_guard.hpp"  // after <cstdlib>
-#if !LAC_SANITIZER_OWNS_MALLOC
+#if !LAC_MALLOC_IS_OUT_OF_REACH
 #include "closed_loop/no_lock_guard.hpp"
 #endif
 #include "closed_loop/no_syscalls.hpp"
@@ -80,7 +80,7 @@ TEST_F(RealTime, NoAllocation) {
   EXPECT_GT(changes, kSteps / 2);  // the chain is at work
 }
 
-#if !LAC_SANITIZER_OWNS_MALLOC
+#if !LAC_MALLOC_IS_OUT_OF_REACH
 TEST_F(RealTime, NoLock) {
   const auto before = locks_of_thread;
   live();

@@ -24,7 +24,6 @@ TEST(InstructionWidth, AsTheDisassemblerSays) {
       {"cvtps2pd xmm0,QWORD PTR [rdi]", {0x0f, 0x5a, 0x07}, 8},
       {"ucomiss xmm0,DWORD PTR [rdi]", {0x0f, 0x2e, 0x07}, 4},
       {"fld DWORD PTR [rdi]", {0xd9, 0x07}, 4},
-      {"fld TBYTE PTR [rdi]", {0xdb, 0x2f}, 10},
       {"movbe eax,DWORD PTR [rdi]", {0x0f, 0x38, 0xf0, 0x07}, 4},
       {"vmovss xmm0,DWORD PTR [rdi]", {0xc5, 0xfa, 0x10, 0x07}, 4},
       {"vmovsd xmm0,QWORD PTR [r9]", {0xc4, 0xc1, 0x7b, 0x10, 0x01}, 8},

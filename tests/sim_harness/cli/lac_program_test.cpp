@@ -96,7 +96,7 @@ TEST_F(LacProgramTest, RunFailures) {
   expect_failure("run none.yaml", "none.yaml: cannot be read: no such file; expected a YAML file");
   files_.file("speed_mps: 18", "sped: 18");
   expect_failure("run case.yaml", "case.yaml:6: wind.speed_mps: the key is missing");
-  files_.file("/libhost_probe}", "/libnot_there}");
+  files_.file("/libtoy_recorder}", "/libnot_there}");
   const Outcome o = lac("run case.yaml");
   EXPECT_EQ(o.exit_code, 1);
   EXPECT_THAT(o.error, HasSubstr("second: library '" LAC_TOY_DIR "/libnot_there' not found"));
@@ -113,6 +113,75 @@ TEST_F(LacProgramTest, Check) {
   EXPECT_THAT(o.out, ::testing::ContainsRegex("3321 +FeedforwardPitchRate +ffp +feedback"));
   EXPECT_THAT(o.out, ::testing::ContainsRegex("20 +GeneratorSpeed +host +feedback"));
   EXPECT_THAT(o.out, HasSubstr("The chain is ready to fly."));
+}
+
+// Every chain that is shipped and needs nothing from elsewhere is ready to fly.
+TEST_F(LacProgramTest, CheckShippedChains) {
+  for (const char* chain :
+       {"nrel5mw/wrapper_fb.IN", "nrel5mw/wrapper_point.IN", "openfast/wrapper.IN"}) {
+    const Outcome o = lac("check '" LAC_SOURCE_DIR "/config/" + std::string(chain) + "'");
+    EXPECT_EQ(o.exit_code, 0) << chain << ": " << o.error;
+    EXPECT_THAT(o.out, ::testing::Not(HasSubstr("note: "))) << chain;
+  }
+}
+
+// Two writers of one record are refused, with both names and the line that allows them.
+TEST_F(LacProgramTest, CheckRefusesTwoWriters) {
+  const auto row = [](const std::string& name, int number) {
+    return "\"" + name + "\" \"" LAC_TOY_DIR "/libtoy_script\" \"" + name + ".IN\" ! Secondary_" +
+           std::to_string(number) + " - \n";
+  };
+  files_.folder.write("one.IN", "set 47 0\nset 3350 1\nset 3351 1\n");
+  files_.folder.write("two.IN", "set 47 1000\nadd 3350 3350 1\n");
+  const std::string rows =
+      row("one", 1) + row("two", 2) + "Flow 3350 ! Signal_1 - \n\"Idle\" 3352 ! Signal_2 - \n";
+  files_.folder.write("chain.IN", rows);
+  const Outcome o = lac("check chain.IN");
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.error, HasSubstr("record 47 (TorqueDemand): one, two"));
+  EXPECT_THAT(o.error, HasSubstr("record 3350 (Flow): one, two"));
+  EXPECT_THAT(o.error, HasSubstr("\n  TorqueDemand Flow ! SharedRecords"));
+  EXPECT_THAT(o.error, ::testing::Not(HasSubstr("3351")));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("3350 +Flow +one, two +two"));
+  EXPECT_THAT(o.out, HasSubstr("signal Idle (record 3352) is written by nobody"));
+  EXPECT_THAT(o.out, ::testing::Not(HasSubstr("ready to fly")));
+
+  files_.folder.write("chain.IN", rows + "torquedemand rec3350 rec48 ! SharedRecords - \n");
+  const Outcome allowed = lac("check chain.IN");
+  EXPECT_EQ(allowed.exit_code, 0) << allowed.error;
+  EXPECT_THAT(allowed.out,
+              HasSubstr("SharedRecords names YawRateDemand, which no two secondaries"));
+  EXPECT_THAT(allowed.out, HasSubstr("ready to fly"));
+  files_.folder.write("chain.IN", rows + "TorqueDemnd ! SharedRecords - \n");
+  expect_failure("check chain.IN", "SharedRecords: found 'TorqueDemnd'");
+}
+
+// With ExtendedDemands the host sends 2601-3000, without it nobody does.
+TEST_F(LacProgramTest, CheckKnowsWhoSendsExtendedDemands) {
+  files_.folder.write("toy.IN", "add 47 2700 0\n");
+  const std::string row = "\"toy\" \"" LAC_TOY_DIR "/libtoy_script\" \"toy.IN\" ! Secondary_1 - \n";
+  files_.folder.write("chain.IN", row + "true ! ExtendedDemands - \n");
+  EXPECT_THAT(lac("check chain.IN").out, ::testing::ContainsRegex("2700 +- +host +toy\n"));
+  files_.folder.write("chain.IN", row);
+  const Outcome o = lac("check chain.IN");
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("2700 +- +nobody +toy\n"));
+  EXPECT_THAT(o.out, HasSubstr("note: record 2700 is read by toy, but written by nobody"));
+}
+
+// lac trace: what OpenFAST sent, from a recording.
+TEST_F(LacProgramTest, Trace) {
+  const Outcome o = lac("trace '" LAC_SOURCE_DIR "/tests/data/openfast/feedback.lactrace'");
+  EXPECT_EQ(o.exit_code, 0) << o.error;
+  for (const char* text :
+       {"3300 records", "Calls: 403 (status: calls, -8: 1, -1: 1, 0: 1, 1: 400)", "step 0.025",
+        "record 50: 11, terminator counted", "Message: 8197", "Lidar: none"}) {
+    EXPECT_THAT(o.out, HasSubstr(text));
+  }
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("61 +NumberOfBlades +- +3 +3 +3 +1\n"));
+  EXPECT_THAT(o.out, ::testing::ContainsRegex("47 +TorqueDemand +Nm +43093.55"));
+  EXPECT_THAT(lac("trace '" LAC_SOURCE_DIR "/tests/data/openfast/lidar.lactrace'").out,
+              HasSubstr("sensor type 3 (pulsed), 1 beams, 5 gates"));
+  expect_failure("trace none.lactrace", "none.lactrace: cannot be read");
 }
 
 // Faults of a chain: the master's input, a secondary that is not there, a secondary's own input.

@@ -30,7 +30,7 @@ class ControllerHostTest : public ::testing::Test {
  protected:
   HostSetup setup(const std::string& probe_input) {
     HostSetup s;
-    s.library = LAC_TOY_DIR "/libhost_probe";
+    s.library = LAC_TOY_DIR "/libtoy_recorder";
     s.input_file = folder_.write("PROBE.IN", probe_input);
     s.output_root = folder_.file("run");
     s.initial_pitch_rad = 0.25;
