@@ -88,6 +88,8 @@ CaseOutputs read_outputs(YamlReader& in, const std::string& case_name) {
   out.outb = map.flag("outb", out.outb);
   out.csv = map.flag("csv", out.csv);
   out.html = map.flag("html", out.html);
+  out.wind = map.flag("wind", out.wind);
+  out.wind_window_s = map.number("wind_window_s", out.wind_window_s, Range::positive());
   map.finish();
   return out;
 }

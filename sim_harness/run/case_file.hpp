@@ -40,6 +40,8 @@ struct CaseOutputs {
   bool outb = true;
   bool csv = true;
   bool html = true;
+  bool wind = false;             // what the rotor meets, once for all controllers
+  double wind_window_s = 600.0;  // of its turbulence intensity
 };
 
 /// What `lac run` does: one wind, one turbine, several controllers one after the other. The

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/run_case.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <ostream>
@@ -13,6 +14,7 @@
 #include "sim_harness/run/interruption.hpp"
 #include "sim_harness/run/outb_reader.hpp"
 #include "sim_harness/run/report.hpp"
+#include "sim_harness/wind_check/wind_statistics.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
@@ -94,7 +96,7 @@ void write_recording(const Case& c, const FlownController& flown, std::vector<fs
 
 /// A period shorter than the run is allowed, but not in silence.
 std::string repetition(const Case& c) {
-  const auto* kaimal = std::get_if<KaimalFieldParams>(&c.wind);
+  const auto* kaimal = std::get_if<KaimalFieldParams>(&c.wind.source);
   if (kaimal == nullptr || kaimal->duration_s >= c.time.duration_s) return {};
   std::ostringstream text;
   text << "note: the wind repeats itself after wind.period_s = " << kaimal->duration_s
@@ -102,13 +104,21 @@ std::string repetition(const Case& c) {
   return text.str();
 }
 
-RotorWind mean_over_rotor(const Case& c, const WindField& wind) {
+RotorWindParams rotor_of(const Case& c) {
   RotorWindParams p;
   p.radius_m = c.turbine.rotor.radius_m;
   p.hub_height_m = c.turbine.hub_height_m;
   p.t_end_s = c.time.duration_s;
   p.dt_s = kRotorWindStep_s;
-  return {wind, p};
+  return p;
+}
+
+std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) {
+  const double window_s = std::min(c.outputs.wind_window_s, c.time.duration_s);
+  const RotorSignals signals = rotor_signals(wind, rotor_of(c), window_s);
+  const fs::path file = c.outputs.folder / (c.name + ".wind.outb");
+  wind_channels(wind, signals, c.turbine.hub_height_m).write(file, describe(c.wind));
+  return file;
 }
 
 }  // namespace
@@ -121,7 +131,7 @@ CaseResult run_case(const Case& c, std::ostream& out) {
   }
   const double start_s = seconds_now();
   const std::unique_ptr<WindField> wind = make_wind(c.wind);
-  const RotorWind rotor_wind = mean_over_rotor(c, *wind);
+  const RotorWind rotor_wind(*wind, rotor_of(c));
   out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << " (ready in "
       << duration_text(seconds_now() - start_s) << ")\n"
       << repetition(c) << std::flush;
@@ -137,6 +147,7 @@ CaseResult run_case(const Case& c, std::ostream& out) {
     result.figures.push_back(flight_figures(flights.back().recording, c.time.run_in_s));
     names.push_back(controller.name);
   }
+  if (c.outputs.wind) result.files.push_back(write_wind_channels(c, *wind));
   const std::vector<ReportResult> rows = result_rows(result.figures);
   out << '\n' << result_table(names, rows) << '\n';
   if (c.outputs.html) {

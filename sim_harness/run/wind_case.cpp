@@ -3,109 +3,80 @@
 
 #include <sstream>
 
-#include "sim_harness/wind/bts_file.hpp"
-#include "sim_harness/wind/iec_wind.hpp"
+#include "sim_harness/run/file_wind_case.hpp"
+#include "sim_harness/run/flow_case.hpp"
+#include "sim_harness/run/mann_case.hpp"
+#include "sim_harness/run/turbulence_case.hpp"
+#include "sim_harness/run/uniform_wind_case.hpp"
 
 namespace lac::sim {
 namespace {
 
-IecClass read_iec_class(YamlReader& in) {
-  IecClass iec;
-  iec.wind = static_cast<WindClass>(in.choice("wind_class", 0, {"I", "II", "III"}));
-  iec.turbulence =
-      static_cast<TurbulenceCategory>(in.choice("turbulence_category", 0, {"A", "B", "C"}));
-  return iec;
-}
-
-UniformWindParams read_uniform(YamlReader& in, const WindSurroundings& around) {
-  UniformWindParams p;
-  p.hub_height_m = around.hub_height_m;
-  p.shear_exponent = in.number("shear_exponent", 0.0, Range::between(-1.0, 1.0));
-  if (in.has("advection_speed_mps")) {
-    p.advection_speed_mps = in.number("advection_speed_mps", Range::positive());
-  }
-  return p;
-}
-
-WindCase read_steady(YamlReader& in, const WindSurroundings& around) {
-  UniformWindParams p = read_uniform(in, around);
-  p.speed = SteadySpeed{in.number("speed_mps", Range::positive())};
-  return p;
-}
-
-WindCase read_step(YamlReader& in, const WindSurroundings& around) {
-  UniformWindParams p = read_uniform(in, around);
-  StepSpeed step;
-  step.from_mps = in.number("from_mps", Range::positive());
-  step.to_mps = in.number("to_mps", Range::positive());
-  step.time_s = in.number("time_s", Range::not_negative());
-  step.ramp_s = in.number("ramp_s", 0.0, Range::not_negative());
-  p.speed = step;
-  return p;
-}
-
-WindCase read_gust(YamlReader& in, const WindSurroundings& around) {
-  UniformWindParams p = read_uniform(in, around);
-  GustSpeed gust;
-  gust.mean_speed_mps = in.number("mean_speed_mps", Range::positive());
-  gust.start_s = in.number("start_s", Range::not_negative());
-  const double standard_mps = eog_magnitude_mps(read_iec_class(in), gust.mean_speed_mps,
-                                                around.hub_height_m, 2.0 * around.rotor_radius_m);
-  gust.magnitude_mps = in.number("magnitude_mps", standard_mps, Range::any());
-  p.speed = gust;
-  return p;
-}
-
-WindCase read_kaimal(YamlReader& in, const WindSurroundings& around) {
+KaimalFieldParams read_kaimal(YamlReader& in, const WindSurroundings& around) {
   KaimalFieldParams p;
   p.mean_speed_mps = in.number("mean_speed_mps", Range::positive());
-  p.hub_height_m = around.hub_height_m;
-  p.seed = around.seed;
-  const IecClass iec = read_iec_class(in);
-  const bool extreme = in.choice("turbulence_model", 0, {"normal", "extreme"}) == 1;
-  const double standard_mps = extreme ? etm_sigma_mps(iec, p.mean_speed_mps)
-                                      : ntm_sigma_mps(iec.turbulence, p.mean_speed_mps);
-  p.model = iec_kaimal(in.number("sigma_u_mps", standard_mps, Range::positive()), p.hub_height_m);
-  p.shear_exponent = in.number("shear_exponent", p.shear_exponent, Range::between(-1.0, 1.0));
-  p.width_m = in.number("width_m", p.width_m, Range::positive());
-  p.height_m = in.number("height_m", p.height_m, Range::positive());
-  p.ny = in.integer("points_across", p.ny, Range::between(2, 1000));
-  p.nz = in.integer("points_up", p.nz, Range::between(2, 1000));
-  p.dt_s = in.number("time_step_s", p.dt_s, Range::positive());
-  p.duration_s = in.number("period_s", p.duration_s, Range::positive());
+  p.model = iec_kaimal(read_sigma_u(in, p.mean_speed_mps), around.hub_height_m);
+  read_grid(in, around, p);
   p.lateral_coherence = static_cast<LateralCoherence>(
       in.choice("lateral_coherence", 0, {"independent", "same_as_u"}));
-  p.threads = in.integer("threads", p.threads, Range::between(1, 64));
   return p;
+}
+
+struct Kind {
+  const char* name;
+  WindSource (*read)(YamlReader& in, const WindSurroundings& around);
+};
+
+constexpr Kind kKinds[] = {
+    {"steady", [](auto& in, auto& around) -> WindSource { return read_steady(in, around); }},
+    {"step", [](auto& in, auto& around) -> WindSource { return read_step(in, around); }},
+    {"eog", [](auto& in, auto& around) -> WindSource { return read_eog(in, around); }},
+    {"edc", [](auto& in, auto& around) -> WindSource { return read_edc(in, around); }},
+    {"ecd", [](auto& in, auto& around) -> WindSource { return read_ecd(in, around); }},
+    {"ews", [](auto& in, auto& around) -> WindSource { return read_ews(in, around); }},
+    {"kaimal", [](auto& in, auto& around) -> WindSource { return read_kaimal(in, around); }},
+    {"mann", [](auto& in, auto& around) -> WindSource { return read_mann(in, around); }},
+    {"bts", [](auto& in, auto&) -> WindSource { return read_bts_kind(in); }},
+    {"bladed", [](auto& in, auto&) -> WindSource { return read_bladed_kind(in); }},
+    {"hawc2", [](auto& in, auto& around) -> WindSource { return read_box_kind(in, around); }},
+    {"uniform_file",
+     [](auto& in, auto& around) -> WindSource { return read_uniform_file_kind(in, around); }},
+};
+
+WindSource read_source(YamlReader& in, const WindSurroundings& around) {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return kKinds[in.choice("kind", names)].read(in, around);
 }
 
 struct Maker {
+  const FlowShape& shape;
+
   std::unique_ptr<WindField> operator()(const UniformWindParams& p) const {
     return std::make_unique<UniformWind>(p);
   }
   std::unique_ptr<WindField> operator()(const KaimalFieldParams& p) const {
-    return std::make_unique<GriddedWind>(make_kaimal_field(p));
+    return shaped(make_kaimal_field(p));
   }
-  std::unique_ptr<WindField> operator()(const BtsWind& p) const {
-    return std::make_unique<GriddedWind>(read_bts(p.file));
+  std::unique_ptr<WindField> operator()(const MannWind& wind) const {
+    return make_mann_wind(wind, shape);
+  }
+  std::unique_ptr<WindField> operator()(const FieldFile& file) const {
+    return shaped(read_field(file));
+  }
+
+ private:
+  std::unique_ptr<WindField> shaped(GriddedWind wind) const {
+    VelocityGrid grid = std::move(wind).take_grid();
+    apply(shape, grid);
+    return std::make_unique<GriddedWind>(std::move(grid));
   }
 };
 
 struct Describer {
   std::ostringstream& out;
 
-  void operator()(const SteadySpeed& s) const { out << "steady, " << s.speed_mps << " m/s"; }
-  void operator()(const StepSpeed& s) const {
-    out << "step from " << s.from_mps << " to " << s.to_mps << " m/s at " << s.time_s << " s";
-  }
-  void operator()(const GustSpeed& s) const {
-    out << "extreme operating gust of " << s.magnitude_mps << " m/s on " << s.mean_speed_mps
-        << " m/s at " << s.start_s << " s";
-  }
-  void operator()(const UniformWindParams& p) const {
-    std::visit(*this, p.speed);
-    if (p.shear_exponent != 0.0) out << ", shear exponent " << p.shear_exponent;
-  }
+  void operator()(const UniformWindParams& p) const { describe(p, out); }
   void operator()(const KaimalFieldParams& p) const {
     out << "Kaimal turbulence, " << p.mean_speed_mps << " m/s, standard deviation "
         << p.model.u.sigma_mps << " m/s, " << p.ny << " x " << p.nz << " points, v and w "
@@ -113,34 +84,32 @@ struct Describer {
         << ", seed " << p.seed;
     if (p.shear_exponent != 0.0) out << ", shear exponent " << p.shear_exponent;
   }
-  void operator()(const BtsWind& p) const { out << "file " << p.file.filename().string(); }
+  void operator()(const MannWind& wind) const { describe(wind, out); }
+  void operator()(const FieldFile& file) const { describe(file, out); }
 };
 
 }  // namespace
 
 WindCase read_wind(YamlReader& in, const WindSurroundings& around) {
-  switch (in.choice("kind", {"steady", "step", "eog", "kaimal", "bts"})) {
-    case 0:
-      return read_steady(in, around);
-    case 1:
-      return read_step(in, around);
-    case 2:
-      return read_gust(in, around);
-    case 3:
-      return read_kaimal(in, around);
-    default:
-      return BtsWind{in.existing_file("file")};
-  }
+  WindCase wind{.source = read_source(in, around), .hub_height_m = around.hub_height_m};
+  if (!std::holds_alternative<UniformWindParams>(wind.source))
+    wind.shape = read_shape(in, std::holds_alternative<FieldFile>(wind.source));
+  wind.direction = read_direction(in);
+  return wind;
 }
 
 std::unique_ptr<WindField> make_wind(const WindCase& wind) {
-  return std::visit(Maker{}, wind);
+  std::unique_ptr<WindField> field = std::visit(Maker{wind.shape}, wind.source);
+  if (!wind.direction.turns()) return field;
+  return std::make_unique<TurnedWind>(std::move(field), wind.hub_height_m, wind.direction);
 }
 
 std::string describe(const WindCase& wind) {
   std::ostringstream out;
   out.precision(4);
-  std::visit(Describer{out}, wind);
+  std::visit(Describer{out}, wind.source);
+  describe(wind.shape, out);
+  describe(wind.direction, out);
   return out.str();
 }
 

@@ -2,24 +2,37 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "sim_harness/config/yaml_reader.hpp"
+#include "sim_harness/wind/field_file.hpp"
+#include "sim_harness/wind/flow_shape.hpp"
 #include "sim_harness/wind/kaimal_field.hpp"
+#include "sim_harness/wind/mann_field.hpp"
+#include "sim_harness/wind/turned_wind.hpp"
 #include "sim_harness/wind/uniform_wind.hpp"
 
 namespace lac::sim {
 
-/// A TurbSim file.
-struct BtsWind {
-  std::filesystem::path file;
+/// Frozen without planes, else evolving: planes at these distances up-wind and at the rotor.
+struct MannWind {
+  MannFieldParams field;
+  std::vector<double> planes_m;
 };
 
-/// The wind of a case before it is made.
-using WindCase = std::variant<UniformWindParams, KaimalFieldParams, BtsWind>;
+/// Where the wind comes from.
+using WindSource = std::variant<UniformWindParams, KaimalFieldParams, MannWind, FieldFile>;
+
+/// The wind of a case before it is made: a source, and what is done to it.
+struct WindCase {
+  WindSource source;
+  FlowShape shape = {};  // of gridded sources
+  FlowDirection direction = {};
+  double hub_height_m = 90.0;  // centre of the turn
+};
 
 /// What of the turbine the standard's wind conditions depend on, and what else decides.
 struct WindSurroundings {
@@ -28,8 +41,7 @@ struct WindSurroundings {
   std::uint64_t seed = 1;
 };
 
-/// Key kind: steady, step, eog, kaimal or bts, and the keys of that kind (listed
-/// in config/README.md). Throws lac::Error.
+/// Key kind and the keys of that kind (listed in config/README.md). Throws lac::Error.
 WindCase read_wind(YamlReader& in, const WindSurroundings& around);
 
 /// Builds or reads the field. Throws lac::Error.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,8 @@
 #include "core/error.hpp"
 
 namespace lac::sim {
+
+static_assert(std::endian::native == std::endian::little, "wind files are little-endian");
 
 /// Reads numbers of a binary file one after the other (byte order of this machine). Throws
 /// lac::Error "<file>: offset <n>: <name>: found <...>, expected <...>" when one is not as it
@@ -49,18 +52,27 @@ class BinaryReader {
     offset_ += count;
   }
 
+  /// Bytes that are left.
+  std::uint64_t rest() const { return size_ - offset_; }
+
+  /// For numbers read as bytes: the one that ends `bytes_back` before the present offset cannot be.
+  template <class T>
+  [[noreturn]] void refuse(std::uint64_t bytes_back, const char* name, const T& found,
+                           const std::string& expected) const {
+    fail(offset_ - bytes_back - sizeof(T), name, found, expected + " in " + kind_);
+  }
+
   /// What follows must be all of the file that is left.
   void expect_rest(const char* name, std::uint64_t count) const {
-    const std::uint64_t rest = size_ - offset_;
-    if (rest == count) return;
-    fail(offset_, name, std::to_string(rest) + " bytes",
+    if (rest() == count) return;
+    fail(offset_, name, std::to_string(rest()) + " bytes",
          std::to_string(count) + " from the sizes in the header; the file is " +
-             (rest < count ? "truncated" : "longer than " + std::string(kind_)));
+             (rest() < count ? "truncated" : "longer than " + std::string(kind_)));
   }
 
  private:
   void expect_left(std::size_t count, const char* name) const {
-    if (count > size_ - offset_) {
+    if (count > rest()) {
       fail(offset_, name, "the end of the file",
            std::to_string(count) + " bytes more; the file is truncated");
     }

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <vector>
 
-#include "core/error.hpp"
 #include "sim_harness/wind/binary_reader.hpp"
+#include "sim_harness/wind/binary_writer.hpp"
 
 namespace lac::sim {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, ".bts files are little-endian");
 
 constexpr std::int16_t kIdFinite = 7;
 constexpr std::int16_t kIdPeriodic = 8;
@@ -100,21 +96,17 @@ Header header_of(const VelocityGrid& grid) {
   return h;
 }
 
-template <class T>
-void put(std::ofstream& out, const T& value) {
-  out.write(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void write_header(std::ofstream& out, const Header& h, std::string_view description) {
-  put(out, h.id);
-  for (std::int32_t n : {h.nz, h.ny, h.n_tower, h.nt}) put(out, n);
-  for (float x : {h.dz_m, h.dy_m, h.dt_s, h.u_hub_mps, h.z_hub_m, h.z_bottom_m}) put(out, x);
+void write_header(BinaryWriter& out, const Header& h, std::string_view description) {
+  out.number(h.id);
+  for (const std::int32_t n : {h.nz, h.ny, h.n_tower, h.nt}) out.number(n);
+  for (const float x : {h.dz_m, h.dy_m, h.dt_s, h.u_hub_mps, h.z_hub_m, h.z_bottom_m})
+    out.number(x);
   for (const Scaling& s : h.scaling) {
-    put(out, s.scale);
-    put(out, s.offset);
+    out.number(s.scale);
+    out.number(s.offset);
   }
-  put(out, static_cast<std::int32_t>(description.size()));
-  out.write(description.data(), static_cast<std::streamsize>(description.size()));
+  out.number(static_cast<std::int32_t>(description.size()));
+  out.bytes(description.data(), description.size());
 }
 
 std::int16_t compressed(float value, const Scaling& s) {
@@ -148,8 +140,7 @@ GriddedWind read_bts(const std::filesystem::path& file) {
 
 void write_bts(const std::filesystem::path& file, const GriddedWind& wind,
                std::string_view description) {
-  std::ofstream out(file, std::ios::binary);
-  if (!out) throw Error(file.string() + ": cannot be opened for writing");
+  BinaryWriter out(file);
   const VelocityGrid& grid = wind.grid();
   const Header h = header_of(grid);
   write_header(out, h, description);
@@ -157,11 +148,9 @@ void write_bts(const std::filesystem::path& file, const GriddedWind& wind,
   for (int it = 0; it < h.nt; ++it) {
     const std::span<const float> plane = grid.plane(it);
     for (std::size_t i = 0; i < step.size(); ++i) step[i] = compressed(plane[i], h.scaling[i % 3]);
-    out.write(reinterpret_cast<const char*>(step.data()),
-              static_cast<std::streamsize>(step.size() * sizeof(std::int16_t)));
+    out.bytes(step.data(), step.size() * sizeof(std::int16_t));
   }
-  out.close();
-  if (!out) throw Error(file.string() + ": could not be written completely (disk full?)");
+  out.commit();
 }
 
 }  // namespace lac::sim

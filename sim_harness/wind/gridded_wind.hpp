@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "sim_harness/wind/velocity_grid.hpp"
 #include "sim_harness/wind/wind_field.hpp"
 
@@ -28,6 +30,7 @@ class GriddedWind final : public WindField {
   /// The period nt dt if periodic, else the time between first and last plane.
   double duration_s() const;
   const VelocityGrid& grid() const { return grid_; }
+  VelocityGrid take_grid() && { return std::move(grid_); }
 
  private:
   VelocityGrid grid_;

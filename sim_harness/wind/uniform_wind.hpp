@@ -2,50 +2,30 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
-#include "sim_harness/wind/iec_wind.hpp"
+#include "sim_harness/wind/uniform_history.hpp"
 #include "sim_harness/wind/wind_field.hpp"
 
 namespace lac::sim {
 
-struct SteadySpeed {
-  double speed_mps = 10.0;
-};
-
-/// from_mps before time_s, to_mps once ramp_s has passed, a straight line between.
-struct StepSpeed {
-  double from_mps = 10.0;
-  double to_mps = 11.0;
-  double time_s = 60.0;
-  double ramp_s = 0.0;
-};
-
-/// Extreme operating gust (IEC 61400-1 ed. 3, methods section 14) arriving at start_s.
-struct GustSpeed {
-  double mean_speed_mps = 18.0;
-  double magnitude_mps = 0.0;  // V_gust; eog_magnitude_mps() gives IEC's
-  double start_s = 60.0;
-};
-
-/// Hub-height speed over time of arrival at the rotor plane.
-using SpeedHistory = std::variant<SteadySpeed, StepSpeed, GustSpeed>;
-
 struct UniformWindParams {
-  SpeedHistory speed = SteadySpeed{};
+  UniformHistory history = SteadySpeed{};
   /// Power-law profile (z / z_hub)^shear_exponent on the mean speed; IEC leaves the gust itself
-  /// the same at all heights. 0: no shear.
+  /// the same at all heights. 0: no shear. A table has its own.
   double shear_exponent = 0.0;
   double hub_height_m = 90.0;
+  /// L of the linear shears: the rotor diameter in IEC's events, RefLength of InflowWind in files.
+  double reference_length_m = 126.0;
   /// Speed U at which the history travels; if not given the speed before the event.
   std::optional<double> advection_speed_mps;
 };
 
-/// Wind along x only, the same over y (and z without shear), carried with Taylor's hypothesis:
-/// u(x, y, z, t) = f(t - x / U). Defined for all times; with shear for z >= 0 only.
+/// Wind that one state describes at a time (uniform_history.hpp), carried along x with Taylor's
+/// hypothesis: velocity(x, y, z, t) = f(y, z, t - x / U). Defined for all times; with a power law
+/// for z >= 0 only. (InflowWind lets a uniform wind act at all x at the same time.)
 class UniformWind final : public WindField {
  public:
-  /// Throws lac::Error if a speed, height or duration is not usable.
+  /// Throws lac::Error if a speed, height, duration or table is not usable.
   explicit UniformWind(const UniformWindParams& params);
 
   Vec3 velocity(const Vec3& position_I_m, double time_s) const override;
@@ -54,9 +34,18 @@ class UniformWind final : public WindField {
   /// Without shear the hub alone.
   std::vector<DiskPoint> disk_points(double hub_height_m, double radius_m) const override;
 
+  UniformState state(double arrival_s) const;
+  const UniformWindParams& params() const { return params_; }
+
  private:
   UniformWindParams params_;
   double advection_speed_mps_;
+  bool power_law_ = false;
+  bool sheared_ = false;
 };
+
+/// The states at begin, begin + step, ... end (within half a step), for a uniform wind file. Rows
+/// that equal both neighbours are left out. Throws lac::Error unless begin < end and step > 0.
+UniformTable tabulate(const UniformWind& wind, double begin_s, double end_s, double step_s);
 
 }  // namespace lac::sim

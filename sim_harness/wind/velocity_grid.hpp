@@ -25,6 +25,7 @@ struct GridSpec {
   double y_m(int iy) const { return y_min_m() + iy * dy_m; }
   double z_m(int iz) const { return z_bottom_m + iz * dz_m; }
   std::size_t plane_points() const { return static_cast<std::size_t>(ny) * nz; }
+  bool operator==(const GridSpec&) const = default;
 
   /// Throws lac::Error unless ny, nz, nt >= 2, steps and speed are above 0 and z_bottom >= 0.
   void check() const;

@@ -52,7 +52,7 @@ TEST_F(CaseFileTest, ReadsACase) {
 TEST_F(CaseFileTest, Defaults) {
   EXPECT_EQ(load_case(files_.file("  folder: results\n", "  csv: no\n")).outputs.folder,
             fs::path("results") / "case");
-  const Case c = load_case(files_.file("    library: " LAC_TOY_DIR "/libhost_probe\n", ""));
+  const Case c = load_case(files_.file("    library: " LAC_TOY_DIR "/libtoy_recorder\n", ""));
   EXPECT_EQ(c.controllers[0].library, "");
 }
 
@@ -60,7 +60,7 @@ TEST_F(CaseFileTest, Defaults) {
 TEST_F(CaseFileTest, Overrides) {
   const Case c = load_case(files_.file(), {"wind.speed_mps=12", "seed=7", "time.duration_s=30",
                                            "controllers.1.name=other"});
-  EXPECT_EQ(std::get<SteadySpeed>(std::get<UniformWindParams>(c.wind).speed).speed_mps, 12.0);
+  EXPECT_EQ(std::get<SteadySpeed>(std::get<UniformWindParams>(c.wind.source).history).speed_mps, 12.0);
   EXPECT_EQ(c.seed, 7U);
   EXPECT_EQ(c.time.duration_s, 30.0);
   EXPECT_EQ(c.controllers[1].name, "other");
@@ -74,7 +74,7 @@ TEST_F(CaseFileTest, Faults) {
               EndsWith(":6: wind.speed_mps: the key is missing; is 'sped_mps' meant to be it?"));
   EXPECT_THAT(
       error_with("kind: steady", "kind: stormy"),
-      HasSubstr(":6: wind.kind: found 'stormy', expected steady, step, eog, kaimal or bts"));
+      HasSubstr(":6: wind.kind: found 'stormy', expected steady, step, eog, edc, ecd, ews, kaimal"));
   EXPECT_THAT(error_with("run_in_s: 5", "run_in_s: 20"),
               EndsWith(":4: time.run_in_s: expected a time before duration_s, by two steps at "
                        "least"));
@@ -96,27 +96,27 @@ TEST_F(CaseFileTest, Faults) {
               HasSubstr("case.yaml:1: turbine: " LAC_SOURCE_DIR "/config/turbines/nrel5mw/turbin"));
 }
 
-WindCase wind_of(test::ProbeCase& files, const std::string& keys) {
-  return load_case(files.file("  kind: steady\n  speed_mps: 18\n", keys)).wind;
+WindSource wind_of(test::ProbeCase& files, const std::string& keys) {
+  return load_case(files.file("  kind: steady\n  speed_mps: 18\n", keys)).wind.source;
 }
 
 // The kinds of wind; IEC values come from the class, V_gust and sigma as in the standard.
 TEST_F(CaseFileTest, KindsOfWind) {
   const auto step = std::get<UniformWindParams>(
       wind_of(files_, "  {kind: step, from_mps: 10, to_mps: 12, time_s: 8, ramp_s: 2}\n"));
-  EXPECT_EQ(std::get<StepSpeed>(step.speed).ramp_s, 2.0);
+  EXPECT_EQ(std::get<StepSpeed>(step.history).ramp_s, 2.0);
   const auto gust = std::get<UniformWindParams>(
       wind_of(files_, "  {kind: eog, mean_speed_mps: 18, start_s: 8, wind_class: II}\n"));
-  EXPECT_DOUBLE_EQ(std::get<GustSpeed>(gust.speed).magnitude_mps,
+  EXPECT_DOUBLE_EQ(std::get<GustSpeed>(gust.history).magnitude_mps,
                    eog_magnitude_mps({WindClass::kII, TurbulenceCategory::kA}, 18.0, 90.0, 126.0));
   const auto kaimal = std::get<KaimalFieldParams>(
       wind_of(files_, "  {kind: kaimal, mean_speed_mps: 18, turbulence_category: B}\n"));
   EXPECT_NEAR(kaimal.model.u.sigma_mps, 0.14 * (0.75 * 18.0 + 5.6), 1e-12);
   EXPECT_EQ(kaimal.seed, 1U);
   files_.folder.write("b.bts", "");
-  const auto bts = std::get<BtsWind>(wind_of(files_, "  {kind: bts, file: b.bts}\n"));
+  const auto bts = std::get<FieldFile>(wind_of(files_, "  {kind: bts, file: b.bts}\n"));
   EXPECT_EQ(bts.file, files_.folder.path() / "b.bts");
-  EXPECT_EQ(describe(WindCase(kaimal)),
+  EXPECT_EQ(describe(WindCase{kaimal}),
             "Kaimal turbulence, 18 m/s, standard deviation 2.674 m/s, 27 x 27 points, v and w "
             "independent, seed 1");
 }

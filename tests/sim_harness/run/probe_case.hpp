@@ -30,9 +30,9 @@ class ProbeCase {
                        "  - name: first\n"
                        "    input: probe.in\n"
                        "    library: " LAC_TOY_DIR
-                       "/libhost_probe\n"
+                       "/libtoy_recorder\n"
                        "  - {name: second, input: other.in, library: " LAC_TOY_DIR
-                       "/libhost_probe}\n"
+                       "/libtoy_recorder}\n"
                        "outputs:\n"
                        "  folder: results\n";
     if (!from.empty()) text.replace(text.find(from), from.size(), to);

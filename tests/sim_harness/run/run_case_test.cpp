@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "sim_harness/run/outb_reader.hpp"
 #include "sim_harness/run/probe_case.hpp"
 
 namespace lac::sim {
@@ -46,6 +47,18 @@ TEST_F(RunCaseTest, OnlyTheFilesThatAreAskedFor) {
   EXPECT_FALSE(fs::exists(files_.folder.path() / "results/case.html"));
 }
 
+// What the rotor meets, once for all controllers, when it is asked for.
+TEST_F(RunCaseTest, WindChannels) {
+  const CaseResult result = run({"outputs.wind=yes", "outputs.wind_window_s=5",
+                                 "wind={kind: step, from_mps: 12, to_mps: 14, time_s: 10}"});
+  EXPECT_EQ(result.files.size(), 6U);
+  const Recording wind = read_outb(files_.folder.path() / "results/case.wind.outb");
+  EXPECT_EQ(wind.rows(), 201U);
+  EXPECT_NEAR(wind.column("RtVAvgxh")[50], 12.0, 1e-3);
+  EXPECT_NEAR(wind.column("WindHubVelX")[150], 14.0, 1e-3);
+  EXPECT_NEAR(wind.column("RtTI")[124], std::sqrt(50.0 / 49.0) / 13.0, 1e-4);
+}
+
 // The same case twice gives the same files, to the last byte: turbulence and lidar on.
 TEST_F(RunCaseTest, Deterministic) {
   const std::vector<std::string> overrides{
@@ -69,7 +82,7 @@ TEST_F(RunCaseTest, FailingController) {
     run();
     FAIL();
   } catch (const Error& e) {
-    EXPECT_THAT(e.what(), HasSubstr("second: controller libhost_probe.so ended the run at t = "
+    EXPECT_THAT(e.what(), HasSubstr("second: controller libtoy_recorder.so ended the run at t = "
                                     "0.05 s: probe: told to fail"));
   }
   EXPECT_TRUE(fs::exists(files_.folder.path() / "results/first.outb"));

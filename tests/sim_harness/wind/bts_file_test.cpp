@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "support/temp_folder.hpp"
+#include "tests/sim_harness/wind/wind_bytes.hpp"
 
 namespace lac::sim {
 namespace {
@@ -25,11 +25,6 @@ class BtsFile : public testing::Test {
  private:
   test::TempFolder folder_;
 };
-
-template <class T>
-void append(std::string& bytes, T value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 /// A file put together from the description of the format, byte by byte: 2 heights, 3 points
 /// across, 2 tower points, 2 steps; velocity = (i - 100)/10 for u, i/20 for v, (i + 50)/30 for w,
@@ -77,17 +72,6 @@ TEST_F(BtsFile, IdEightIsPeriodic) {
   EXPECT_FLOAT_EQ(static_cast<float>(wind.duration_s()), 0.1F);
 }
 
-GriddedWind wavy(bool periodic) {
-  VelocityGrid grid({4, 3, 50, 8.0, 9.0, 0.25, 30.0, 39.0, 12.5, periodic});
-  for (int it = 0; it < 50; ++it) {
-    for (int k = 0; k < 12; ++k) {
-      grid.at(it, k / 4, k % 4, 0) = 12.5F + 3.0F * std::sin(0.3F * it + k);
-      grid.at(it, k / 4, k % 4, 1) = 1.5F * std::cos(0.7F * it - k);
-    }
-  }
-  return GriddedWind(std::move(grid));
-}
-
 // Write and read: every number within half an int16 step of its component's range (6 m/s, 3 m/s;
 // w is zero throughout and stays so within half of the least step), the grid unchanged.
 TEST_F(BtsFile, RoundTrip) {
@@ -129,22 +113,18 @@ TEST_F(BtsFile, RefusesWrongLengths) {
   expect_refused(written("long.bts", bytes + "x"), {"found 97 bytes", "longer"});
 }
 
-std::string with_int32(std::string bytes, std::size_t offset, std::int32_t value) {
-  return bytes.replace(offset, 4, std::string(reinterpret_cast<const char*>(&value), 4));
-}
-
 // Another kind of file and sizes that cannot be: where, what was found, what was expected.
 TEST_F(BtsFile, RefusesForeignFiles) {
   expect_refused(written("bladed.bts", hand_made(-99)),
                  {"offset 0", "id", "found -99", "expected 7 to 8"});
   const std::string bytes = hand_made(7);
-  expect_refused(written("ny.bts", with_int32(bytes, 6, 1)), {"offset 6", "ny", "found 1,"});
-  expect_refused(written("nz.bts", with_int32(bytes, 2, 1 << 30)), {"offset 2", "nz"});
-  expect_refused(written("tower.bts", with_int32(bytes, 10, -1)), {"offset 10", "tower"});
-  expect_refused(written("dt.bts", with_int32(bytes, 26, 0)), {"offset 26", "dt [s]", "found 0,"});
-  expect_refused(written("nan.bts", with_int32(bytes, 30, -1)), {"offset 30", "mean speed"});
-  expect_refused(written("scale.bts", with_int32(bytes, 42, 0)), {"offset 42", "scale"});
-  expect_refused(written("text.bts", with_int32(bytes, 66, -1)), {"offset 66", "description"});
+  expect_refused(written("ny.bts", with_value(bytes, 6, 1)), {"offset 6", "ny", "found 1,"});
+  expect_refused(written("nz.bts", with_value(bytes, 2, 1 << 30)), {"offset 2", "nz"});
+  expect_refused(written("tower.bts", with_value(bytes, 10, -1)), {"offset 10", "tower"});
+  expect_refused(written("dt.bts", with_value(bytes, 26, 0)), {"offset 26", "dt [s]", "found 0,"});
+  expect_refused(written("nan.bts", with_value(bytes, 30, -1)), {"offset 30", "mean speed"});
+  expect_refused(written("scale.bts", with_value(bytes, 42, 0)), {"offset 42", "scale"});
+  expect_refused(written("text.bts", with_value(bytes, 66, -1)), {"offset 66", "description"});
   expect_refused(scratch("not_there.bts"), {"cannot be opened"});
 }
 

@@ -22,7 +22,7 @@ RotorWindParams rotor(double t_begin_s, double t_end_s, double dt_s) {
 // A uniform gust is its own mean: exact at the samples, from a negative start to the end.
 TEST(RotorWind, UniformWindIsExact) {
   UniformWindParams params;
-  params.speed = GustSpeed{18.0, 7.0, 0.0};
+  params.history = GustSpeed{18.0, 7.0, 0.0};
   const UniformWind wind(params);
   const RotorWind rews(wind, rotor(-20.0, 20.0, 0.25));
   EXPECT_EQ(rews.point_count(), 1u);
@@ -34,7 +34,7 @@ TEST(RotorWind, UniformWindIsExact) {
 // Straight lines between samples; the ends hold.
 TEST(RotorWind, LinearBetweenSamples) {
   UniformWindParams params;
-  params.speed = StepSpeed{10.0, 14.0, 1.0, 2.0};
+  params.history = StepSpeed{10.0, 14.0, 1.0, 2.0};
   const RotorWind rews(UniformWind(params), rotor(0.0, 4.0, 1.0));
   EXPECT_DOUBLE_EQ(rews.at(1.25), 10.5);
   EXPECT_DOUBLE_EQ(rews.at(2.75), 13.5);
@@ -48,7 +48,7 @@ TEST(RotorWind, LinearBetweenSamples) {
 // points as there are lattice points in a circle of radius 12.6 (497).
 TEST(RotorWind, ShearedProfile) {
   UniformWindParams params;
-  params.speed = SteadySpeed{1.0};
+  params.history = SteadySpeed{1.0};
   params.shear_exponent = 0.2;
   const RotorWind rews(UniformWind(params), rotor(0.0, 1.0, 1.0));
   const double a = 0.2, q = std::pow(63.0 / 90.0, 2);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/run/mann_case.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "sim_harness/run/turbulence_case.hpp"
+#include "sim_harness/wind/iec_wind.hpp"
+#include "sim_harness/wind/stability.hpp"
+
+namespace lac::sim {
+namespace {
+
+/// IEC 61400-1: Mann's lifetime, Gamma 3.9, L = 0.8 Lambda_1; evolution of the neutral class.
+MannParams iec_mann(double hub_height_m) {
+  MannParams p;
+  p.lifetime = EddyLifetime::kMann;
+  p.gamma = 3.9;
+  p.length_m = 0.8 * turbulence_scale_m(hub_height_m);
+  p.evolution_s = stability_mann(Stability::kNeutral).evolution_s;
+  return p;
+}
+
+MannParams read_model(YamlReader& in, double hub_height_m) {
+  const int choice = in.choice("stability", 0, {"iec", "unstable", "neutral", "stable"});
+  MannParams p =
+      choice == 0 ? iec_mann(hub_height_m) : stability_mann(static_cast<Stability>(choice - 1));
+  const int lifetime = p.lifetime == EddyLifetime::kMann ? 0 : 1;
+  p.lifetime = static_cast<EddyLifetime>(in.choice("eddy_lifetime", lifetime, {"mann", "guo"}));
+  p.length_m = in.number("length_scale_m", p.length_m, Range::positive());
+  p.gamma = in.number("anisotropy", p.gamma, Range::not_negative());
+  return p;
+}
+
+/// Distances of the planes; time_scale_s goes to the model.
+std::vector<double> read_evolution(YamlReader in, MannParams& model) {
+  model.evolution_s = in.number("time_scale_s", model.evolution_s, Range::positive());
+  const std::vector<double> planes_m = in.numbers("planes_m", Range::positive());
+  if (std::ranges::adjacent_find(planes_m, std::ranges::greater_equal{}) != planes_m.end())
+    in.fail("planes_m", "expected distances that rise");
+  in.finish();
+  return planes_m;
+}
+
+}  // namespace
+
+MannWind read_mann(YamlReader& in, const WindSurroundings& around) {
+  MannWind wind;
+  MannFieldParams& p = wind.field;
+  p.mean_speed_mps = in.number("mean_speed_mps", Range::positive());
+  const double sigma_u_mps = read_sigma_u(in, p.mean_speed_mps);
+  p.model = scaled_to_sigma_u(read_model(in, around.hub_height_m), sigma_u_mps);
+  read_grid(in, around, p);
+  p.box_ny = in.integer("box_points_across", p.box_ny, Range::between(2, 4096));
+  p.box_nz = in.integer("box_points_up", p.box_nz, Range::between(2, 4096));
+  p.small_eddies = static_cast<SmallEddies>(in.choice("small_eddies", 0, {"folded", "cut"}));
+  p.rescale = in.flag("rescale", p.rescale);
+  if (in.has("evolution")) wind.planes_m = read_evolution(in.map("evolution"), p.model);
+  return wind;
+}
+
+std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape& shape) {
+  MannFieldParams params = wind.field;
+  const bool frozen = wind.planes_m.empty();
+  if (frozen) params.model.evolution_s = std::numeric_limits<double>::infinity();
+  MannPlanes planes(params);
+  const auto shaped = [&](double distance_m) {
+    VelocityGrid grid = planes.next(distance_m).take_grid();
+    apply(shape, grid);
+    return GriddedWind(std::move(grid));
+  };
+  if (frozen) return std::make_unique<GriddedWind>(shaped(0.0));
+  std::vector<WindPlane> all;
+  all.push_back({0.0, shaped(0.0)});
+  for (const double distance_m : wind.planes_m) all.push_back({distance_m, shaped(distance_m)});
+  return std::make_unique<EvolvingWind>(std::move(all));
+}
+
+void describe(const MannWind& wind, std::ostream& out) {
+  const MannFieldParams& p = wind.field;
+  out << "Mann turbulence, " << p.mean_speed_mps << " m/s, alpha eps^(2/3) "
+      << p.model.alpha_epsilon << ", L " << p.model.length_m << " m, Gamma " << p.model.gamma
+      << (p.model.lifetime == EddyLifetime::kMann ? "" : " (lifetime of Guo)") << ", " << p.ny
+      << " x " << p.nz << " points, seed " << p.seed;
+  if (p.shear_exponent != 0.0) out << ", shear exponent " << p.shear_exponent;
+  if (wind.planes_m.empty()) return;
+  out << ", evolving with " << p.model.evolution_s << " s in " << wind.planes_m.size()
+      << " planes up to " << wind.planes_m.back() << " m";
+}
+
+}  // namespace lac::sim

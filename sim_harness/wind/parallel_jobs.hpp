@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <vector>
+
+namespace lac::sim {
+
+/// Spreads count jobs over threads; each thread makes its own worker (with its work space). Which
+/// thread does which job is open, so the jobs must not depend on it. Rethrows what a job throws.
+template <class MakeWorker>
+void for_each_job(int count, int threads, const MakeWorker& make_worker) {
+  std::atomic<int> next{0};
+  const auto run = [&] {
+    auto worker = make_worker();
+    for (int job = next++; job < count; job = next++) worker(job);
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, run));
+  run();
+  for (auto& other : others) other.get();
+}
+
+}  // namespace lac::sim
