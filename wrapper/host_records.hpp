@@ -71,8 +71,9 @@ struct RecordRun {
 namespace detail {
 
 constexpr bool is_chains_own(int record) {
-  const RecordInfo* info = find_record(record);
-  return info != nullptr && info->direction == Direction::Out;
+  return std::ranges::any_of(kRecords, [record](const RecordInfo& r) {
+    return r.index == record && r.direction == Direction::Out;
+  });
 }
 constexpr bool is_input(int record) {
   return !is_chains_own(record);
