@@ -21,7 +21,7 @@ DISCON(float* avrSWAP, int* aviFAIL, const char* accINFILE, char* avcOUTNAME, ch
 
 #if defined(LAC_OWN_CXX_RUNTIME) && defined(__GLIBCXX__)
 namespace __gnu_cxx {
-void __freeres();
+void __freeres();  // NOLINT(bugprone-reserved-identifier): so it is called
 }
 // The runtime inside the library reserves 71 KiB for exceptions without memory, and leaves them
 // behind when the library is unloaded: so much for each run of a host that loads anew.

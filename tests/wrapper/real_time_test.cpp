@@ -26,7 +26,7 @@ struct QuietHost {
 class RealTime : public ChainTest {};
 
 TEST_F(RealTime, StepsDoNotAllocate) {
-  if (!kCountsAllocations) GTEST_SKIP() << "malloc belongs to the sanitizer";
+  if (!kCountsAllocations) GTEST_SKIP() << "malloc cannot be counted here";
   const auto in = write_chain(
       {{"a", "toy_empty", "", ""},
        {"s", "toy_state", "900 ! WarnAtStep -\n", ""},
@@ -60,7 +60,7 @@ TEST_F(RealTime, StepsDoNotAllocate) {
 
 // The proof above can fail: the same count sees the allocations of a first call.
 TEST_F(RealTime, GuardSeesTheLibraries) {
-  if (!kCountsAllocations) GTEST_SKIP() << "malloc belongs to the sanitizer";
+  if (!kCountsAllocations) GTEST_SKIP() << "malloc cannot be counted here";
   TestHost host = host_for(write_chain({{"s", "toy_state", "", ""}}));
   NoAllocGuard guard;
   host.call(0);
