@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <memory>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/discon_abi.h"
@@ -31,14 +31,18 @@ class RoscoToolboxHost {
     double wind_mps = 0.0;
   };
 
-  RoscoToolboxHost(LacDisconFunction entry, std::string parameter_file,
-                   std::string sim_name = "simDEBUG", double time_step_s = 0.1)
+  static constexpr std::size_t kFloats = 500;
+  /// What ROSCO 2.10 reads of any host's array, the platform motion in 1001-1018 last. Its own
+  /// class lends half of that; what lies behind is left to chance.
+  static constexpr std::size_t kFloatsReadByRosco = 1018;
+
+  RoscoToolboxHost(LacDisconFunction entry, std::string parameter_file, std::string sim_name,
+                   std::size_t floats = kFloats)
       : entry_(entry),
         in_file_(std::move(parameter_file)),
         out_name_(std::move(sim_name)),
-        time_step_s_(time_step_s),
-        array_(new float[kFloats]{}) {
-    set(3, time_step_s);
+        array_(floats, 0.0f) {
+    set(3, kTimeStep_s);
     set(61, 3.0);
     set(20, 1.0);
     set(21, 1.0);
@@ -55,7 +59,7 @@ class RoscoToolboxHost {
   void call_controller(const Turbine& t) {
     set(1, t.status);
     set(2, t.time_s);
-    set(3, time_step_s_);
+    set(3, kTimeStep_s);
     for (const int record : {4, 33, 34}) set(record, t.pitch_rad);
     set(15, t.generator_speed_radps * t.generator_torque_Nm * 0.944);
     set(23, t.generator_torque_Nm);
@@ -66,7 +70,7 @@ class RoscoToolboxHost {
     call_discon();
   }
 
-  float at(int record) const { return array_[record - 1]; }
+  float at(int record) const { return array_.at(static_cast<std::size_t>(record) - 1); }
   int fail() const { return fail_; }
   std::string message() const { return message_.data(); }
   /// Nothing written behind what record 49 allows, and the root name as it was.
@@ -78,24 +82,24 @@ class RoscoToolboxHost {
   }
 
  private:
-  static constexpr int kFloats = 500;
+  static constexpr double kTimeStep_s = 0.1;
   static constexpr int kMessageCapacity = 500;
 
-  void set(int record, double value) { array_[record - 1] = static_cast<float>(value); }
+  void set(int record, double value) {
+    array_.at(static_cast<std::size_t>(record) - 1) = static_cast<float>(value);
+  }
 
   void call_discon() {
-    auto copy = std::make_unique<float[]>(kFloats);
-    std::copy_n(array_.get(), kFloats, copy.get());
+    std::vector<float> copy = array_;
     std::vector<char> out(out_name_.c_str(), out_name_.c_str() + out_name_.size() + 1);
-    entry_(copy.get(), &fail_, in_file_.c_str(), out.data(), message_.data());
+    entry_(copy.data(), &fail_, in_file_.c_str(), out.data(), message_.data());
     out_name_seen_ = std::string(out.begin(), out.end() - 1);
     array_ = std::move(copy);
   }
 
   LacDisconFunction entry_;
   std::string in_file_, out_name_, out_name_seen_;
-  double time_step_s_;
-  std::unique_ptr<float[]> array_;
+  std::vector<float> array_;
   std::vector<char> message_ = std::vector<char>(1000, '\0');
   int fail_ = 0;
 };

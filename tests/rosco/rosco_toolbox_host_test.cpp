@@ -157,7 +157,8 @@ TEST_F(RoscoToolbox, RoscoBehindTheMaster) {
   ASSERT_EQ(behind.fail(), 0) << behind.message();
   const std::vector<Demands> got = fly(behind, 300);
   const DisconLibrary direct = DisconLibrary::open(rosco.library.string(), "DISCON", {});
-  RoscoToolboxHost alone(direct.entry(), input, folder.file("direct"));
+  RoscoToolboxHost alone(direct.entry(), input, folder.file("direct"),
+                         RoscoToolboxHost::kFloatsReadByRosco);
   EXPECT_EQ(got, fly(alone, 300));
 }
 
