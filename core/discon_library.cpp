@@ -60,7 +60,7 @@ LibraryImage load_by_system(const std::string& name, const std::string& tried) {
 
 std::vector<fs::path> library_candidates(const std::string& name,
                                          const std::vector<fs::path>& folders) {
-  const std::vector<fs::path> names = names_of(name);
+  std::vector<fs::path> names = names_of(name);
   if (names[0].is_absolute()) return names;
   std::vector<fs::path> all;
   for (const fs::path& folder : folders) {

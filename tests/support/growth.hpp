@@ -40,9 +40,13 @@ struct Holdings {
   }
 };
 
-/// Growth over so many repetitions, after some that the memory allocator learns from.
+/// Growth over so many repetitions, after some that the memory allocator learns from. A tenth of
+/// them under sanitizers, which are slow.
 template <class Action>
 Holdings growth_of(int repetitions, Action&& action) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  repetitions /= 10;
+#endif
   for (int i = 0; i < repetitions / 10; ++i) action();
   const Holdings before = Holdings::now();
   for (int i = 0; i < repetitions; ++i) action();
