@@ -75,7 +75,6 @@ class MannPlanes {
 
  private:
   class RowWorker;
-  class TimeWorker;
 
   GridSpec grid_spec() const;
   double k1_radpm(int m) const;

@@ -22,6 +22,8 @@ struct UniformState {
   double shear_z = 0.0;         // vertical linear shear [-]
   double gust_mps = 0.0;        // the same at all heights
   double upflow_rad = 0.0;
+
+  bool operator==(const UniformState&) const = default;
 };
 
 struct SteadySpeed {
@@ -81,5 +83,18 @@ struct UniformTable {
 /// Over the time of arrival at the rotor plane.
 using UniformHistory = std::variant<SteadySpeed, StepSpeed, GustSpeed, DirectionChange,
                                     CoherentGust, ShearEvent, UniformTable>;
+
+/// Throws lac::Error, by name, on what cannot be flown.
+void check(const UniformHistory& history);
+
+/// shear_exponent goes to every kind but tables, which have their own.
+UniformState state_at(const UniformHistory& history, double arrival_s, double shear_exponent);
+
+/// What shears a history ever has.
+struct UniformShear {
+  bool power_law = false;
+  bool any = false;
+};
+UniformShear shear_of(const UniformHistory& history, double shear_exponent);
 
 }  // namespace lac::sim

@@ -40,8 +40,7 @@ class UniformWind final : public WindField {
  private:
   UniformWindParams params_;
   double advection_speed_mps_;
-  bool power_law_ = false;
-  bool sheared_ = false;
+  UniformShear shear_;
 };
 
 /// The states at begin, begin + step, ... end (within half a step), for a uniform wind file. Rows
