@@ -28,14 +28,16 @@ WindSurroundings read_surroundings(YamlReader& in) {
   return around;
 }
 
-LoadedWind load_case_wind(const fs::path& file, const std::vector<std::string>& overrides) {
-  WindSection read = read_wind_case(file, overrides);
+LoadedWind load_case_wind(const fs::path& file, const WindFileOptions& options) {
+  WindSection read = read_wind_case(file, options.overrides);
   LoadedWind loaded;
   loaded.name = file.filename().string() + ": " + describe(read.wind);
   loaded.field = make_wind(read.wind);
   loaded.made_of = std::move(read.wind);
-  loaded.hub_height_m = read.around.hub_height_m;
-  loaded.rotor_diameter_m = 2.0 * read.around.rotor_radius_m;
+  loaded.hub_height_m =
+      options.hub_height_m > 0.0 ? options.hub_height_m : read.around.hub_height_m;
+  loaded.rotor_diameter_m =
+      options.rotor_diameter_m > 0.0 ? options.rotor_diameter_m : 2.0 * read.around.rotor_radius_m;
   return loaded;
 }
 
@@ -130,7 +132,7 @@ WindFileKind wind_file_kind(const fs::path& file) {
 
 LoadedWind load_wind(const fs::path& file, const WindFileOptions& options) {
   const WindFileKind kind = wind_file_kind(file);
-  if (kind == WindFileKind::kCase) return load_case_wind(file, options.overrides);
+  if (kind == WindFileKind::kCase) return load_case_wind(file, options);
   LoadedWind loaded;
   loaded.name = file.filename().string();
   loaded.field = field_of(kind, file, options);

@@ -18,8 +18,8 @@ struct WindFileOptions {
   std::vector<int> points;             // of a box: along x, y, z
   std::vector<double> spacing_m;       // of a box: along x, y, z
   double mean_speed_mps = 0.0;         // of a box
-  double hub_height_m = 0.0;           // of boxes and uniform wind files; else the file's own
-  double rotor_diameter_m = 0.0;       // of uniform wind files; statistics
+  double hub_height_m = 0.0;           // of boxes and uniform wind files; else in place of its own
+  double rotor_diameter_m = 0.0;       // of uniform wind files; of statistics
   BoxOrder box_order = {};
 };
 
