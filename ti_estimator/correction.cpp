@@ -18,14 +18,20 @@ constexpr std::array<GaussPoint, 4> kGauss8{{{0.1834346424956498, 0.362683783378
                                              {0.5255324099163290, 0.3137066458778873},
                                              {0.7966664774136267, 0.2223810344533745},
                                              {0.9602898564975363, 0.1012285362903763}}};
-constexpr int kWindowPeriods = 16;   // 1 - sinc^2 is followed that far, its mean taken beyond
+constexpr int kWindowPeriods = 16;   // the response is followed that far, its mean taken beyond
 constexpr double kPanelRatio = 1.8;  // of the frequencies at the ends of a panel
 
-double window_response(double periods, bool followed) {
+/// Mean of the response over a period of it, for many periods in the window.
+double mean_window_response(double periods, Window window, Detrending detrending) {
+  if (window == Window::Exponential) return window_response(periods, window, detrending);
   const double x = kPi * periods;
-  if (!followed) return 1.0 - 0.5 / (x * x);
-  const double sinc = std::sin(x) / x;
-  return 1.0 - sinc * sinc;
+  return 1.0 - (detrending == Detrending::Linear ? 2.0 : 0.5) / (x * x);
+}
+
+double three_point_response(double phase_rad, double decay) {
+  // Pairs of points 0, W/2 and W apart; phase and decay are those over W/2.
+  return 0.375 + 0.5 * std::cos(phase_rad) * std::exp(-decay) +
+         0.125 * std::cos(2.0 * phase_rad) * std::exp(-2.0 * decay);
 }
 
 /// Position of the interval that holds x, and how far into it x lies.
@@ -38,6 +44,14 @@ std::pair<std::size_t, double> interval(const std::vector<double>& axis, double 
 
 }  // namespace
 
+double window_response(double periods, Window window, Detrending detrending) {
+  const double x = kPi * periods;
+  if (window == Window::Exponential) return x * x / (1.0 + x * x);
+  const double sinc = std::sin(x) / x;
+  const double slope = detrending == Detrending::Linear ? (sinc - std::cos(x)) / x : 0.0;
+  return 1.0 - sinc * sinc - 3.0 * slope * slope;
+}
+
 Vec3 beam_in_wind(const Vec3& beam_L, double yaw_error_rad) {
   const double c = std::cos(yaw_error_rad), s = std::sin(yaw_error_rad);
   return {c * beam_L.x + s * beam_L.y, -s * beam_L.x + c * beam_L.y, beam_L.z};
@@ -46,7 +60,7 @@ Vec3 beam_in_wind(const Vec3& beam_L, double yaw_error_rad) {
 Correction::Correction(const CorrectionParams& params)
     : params_(params),
       volume_std_m_(params.pulse_width_m / std::sqrt(8.0 * std::log(2.0))),
-      lidar_nodes_(nodes(params.scan_rate_hz)),
+      lidar_nodes_(nodes(params.aliasing ? params.max_frequency_hz : params.scan_rate_hz)),
       point_nodes_(nodes(params.max_frequency_hz)) {}
 
 std::vector<Correction::Node> Correction::nodes(double upper_hz) const {
@@ -62,9 +76,7 @@ std::vector<Correction::Node> Correction::nodes(double upper_hz) const {
     for (const GaussPoint& p : kGauss8) {
       for (const double side : {-1.0, 1.0}) {
         const double f = middle + side * half * p.x;
-        const double share =
-            response ? window_response(f * params_.averaging_time_s, followed) : 1.0;
-        result.push_back({f, half * p.weight * share});
+        result.push_back({f, half * p.weight * (response ? share_left(f, followed) : 1.0)});
       }
     }
     from_hz = to_hz;
@@ -72,13 +84,27 @@ std::vector<Correction::Node> Correction::nodes(double upper_hz) const {
   return result;
 }
 
+double Correction::share_left(double frequency_hz, bool followed) const {
+  const double periods = frequency_hz * params_.averaging_time_s;
+  return followed ? window_response(periods, params_.window, params_.detrending)
+                  : mean_window_response(periods, params_.window, params_.detrending);
+}
+
 double Correction::volume_response(const Vec3& beam_W, double frequency_hz,
                                    double mean_speed_mps) const {
   const double wave_number_radpm = 2.0 * kPi * frequency_hz / mean_speed_mps;
+  const double phase_radpm = wave_number_radpm * std::abs(beam_W.x);
+  if (params_.volume_model == VolumeModel::Phase) {
+    const double phase_rad = volume_std_m_ * phase_radpm;
+    return std::exp(-phase_rad * phase_rad);
+  }
   const double across = std::hypot(beam_W.y, beam_W.z);
   const double decay_pm = across * params_.model.coherence_rate(frequency_hz, mean_speed_mps);
-  return faddeeva_.real_part(volume_std_m_ * wave_number_radpm * std::abs(beam_W.x),
-                             volume_std_m_ * decay_pm);
+  if (params_.volume_model == VolumeModel::ThreePoint) {
+    const double half_m = 0.5 * params_.pulse_width_m;
+    return three_point_response(half_m * phase_radpm, half_m * decay_pm);
+  }
+  return faddeeva_.real_part(volume_std_m_ * phase_radpm, volume_std_m_ * decay_pm);
 }
 
 double Correction::los_variance(const Vec3& beam_W, double mean_speed_mps) const {

@@ -16,30 +16,56 @@ enum class LateralCoherence {
   Independent,  // none: TurbSim's default; the volume then averages v and w away altogether
 };
 
+/// How the wind is averaged over a volume (methods section 6). W: full width at half maximum.
+enum class VolumeModel {
+  Full,        // Gaussian; points decorrelate along and across the wind
+  Phase,       // Gaussian; only the offset along the wind counts: v and w are coherent as well
+  ThreePoint,  // weights 1/4, 1/2, 1/4 at -W/2, 0, W/2, as coarse lidar simulators have them
+};
+
 /// How slow fluctuations drop out of a standard deviation over T.
 enum class LowFrequencies {
   Cutoff,    // nothing below 1/T (S20 eq. 6)
-  Response,  // weight 1 - sinc^2(f T), what removing the mean over T really does
+  Response,  // what the statistics over T really leave: window_response()
 };
+
+/// Statistics over the last T: all samples alike, or weighted with exp(-2 age / T), which has as
+/// many independent samples.
+enum class Window { Sliding, Exponential };
+/// What is taken out of a series before its variance. Linear: sliding windows only.
+enum class Detrending { Mean, Linear };
+
+/// Share of the variance at f that is left by the statistics over T, p = f T and x = pi p:
+///   sliding, mean    1 - (sin x / x)^2
+///   sliding, linear  1 - (sin x / x)^2 - 3 ((sin x / x - cos x) / x)^2
+///   exponential      1 - 1 / (1 + x^2)
+double window_response(double periods, Window window, Detrending detrending);
 
 struct CorrectionParams {
   KaimalModel model = iec_kaimal(1.0, 90.0);  // sigma_u cancels out of c_TI
   double averaging_time_s = 600.0;            // T
   double scan_rate_hz = 1.0;                  // f_scan, measurements per volume and second
-  double max_frequency_hz = 10.0;             // f_max of the point wind speed
-  double pulse_width_m = 30.0;                // W, full width at half maximum
+  /// False: nothing above f_scan is in the samples (S20 eq. 7). True: they hold the variance of all
+  /// frequencies up to f_max, what is above half of f_scan folded.
+  bool aliasing = false;
+  double max_frequency_hz = 10.0;  // f_max of the point wind speed
+  double pulse_width_m = 30.0;     // W, full width at half maximum
   LateralCoherence lateral_coherence = LateralCoherence::SameAsU;
+  VolumeModel volume_model = VolumeModel::Full;
   LowFrequencies low_frequencies = LowFrequencies::Cutoff;
+  Window window = Window::Sliding;
+  Detrending detrending = Detrending::Mean;
 };
 
-/// c_TI = sigma_u / sigma_L of S20 eqs. 6-8 with the *full* volume model of methods section 6.
+/// c_TI = sigma_u / sigma_L of S20 eqs. 6-8 with the volume models of methods section 6.
 ///
-/// S_los = sum over c = u, v, w of n_c^2 S_c(f) H^2(f), n the beam in the wind frame. A volume is
-/// a Gaussian of standard deviation s = W / sqrt(8 ln 2) along the beam; its points decorrelate
-/// with their offset along the wind (phase, Taylor) and across it (exponential coherence). The
+/// S_los = sum over c = u, v, w of n_c^2 S_c(f) H^2(f), n the beam in the wind frame. Two points of
+/// a volume decorrelate with their offset along the wind (phase, Taylor) and across it (exponential
+/// coherence). Full: a Gaussian of standard deviation s = W / sqrt(8 ln 2) along the beam; the
 /// difference of two points of it is Gaussian with s sqrt(2), and the integral over it is
-///   H^2 = Re w( s (k n_x + i a n_t sqrt((f/U)^2 + (0.12/L_c)^2)) ),  k = 2 pi f / U,
-/// w the Faddeeva function, n_t = sqrt(n_y^2 + n_z^2).
+///   H^2 = Re w( s (k n_x + i c n_t) ),  c = a sqrt((f/U)^2 + (0.12/L_c)^2),  k = 2 pi f / U,
+/// w the Faddeeva function, n_t = sqrt(n_y^2 + n_z^2). Phase: c = 0, H^2 = exp(-(s k n_x)^2).
+/// ThreePoint: the double sum over its points of cos(k n_x d) exp(-c n_t d), d their distance.
 ///
 /// c_TI does not depend on the gate (Taylor: all gates of a beam see the same statistics) nor on
 /// the turbulence level. Integrals over f: Gauss-Legendre, relative error below 1e-9.
@@ -47,8 +73,8 @@ class Correction {
  public:
   explicit Correction(const CorrectionParams& params);
 
-  /// Variance of v_los between 1/T and f_scan, for unit sigma_u. `beam_W`: unit vector in the
-  /// frame of the mean wind (x down-wind or up-wind alike).
+  /// Variance of v_los between 1/T and f_scan (or f_max: aliasing), for unit sigma_u. `beam_W`:
+  /// unit vector in the frame of the mean wind (x down-wind or up-wind alike).
   double los_variance(const Vec3& beam_W, double mean_speed_mps) const;
   /// Variance of u between 1/T and f_max, for unit sigma_u.
   double u_variance(double mean_speed_mps) const;
@@ -63,6 +89,7 @@ class Correction {
     double weight_hz;  // contains the window's response
   };
   std::vector<Node> nodes(double upper_hz) const;
+  double share_left(double frequency_hz, bool followed) const;
 
   CorrectionParams params_;
   double volume_std_m_;

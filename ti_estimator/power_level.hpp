@@ -4,22 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lookup_table.hpp"
 #include "core/state_archive.hpp"
 
 namespace lac {
 
 struct PowerLevelParams {
-  double rated_intensity = 0.16;  // TI_rated: level 1 (S20 section 4.2)
-  double zero_intensity = 0.32;   // TI_0: level 0
-  double maximum = 1.1;           // g_max
+  LookupTable rated_intensity{{0.0},
+                              {0.16}};        // TI_rated over mean speed: level 1 (S20 section 4.2)
+  LookupTable zero_intensity{{0.0}, {0.32}};  // TI_0 over mean speed: level 0
+  double maximum = 1.1;                       // g_max
+  double deadband = 0.0;  // the level stays where it is while eq. 9 is no farther away
   // Fastest change of the level [1/s]. 0.005: 25 kW/s at 5 MW, and 20 s from 1 to 1.1 or 0.9.
   // S20 has none; without it the level would jump when the first estimate comes.
   double rate_1ps = 0.005;
 };
 
 /// S20 eq. 9: the share of rated power for a turbulence intensity, 0 ... maximum.
-inline double power_level_for(double intensity, const PowerLevelParams& p) {
-  const double g = (intensity - p.zero_intensity) / (p.rated_intensity - p.zero_intensity);
+inline double power_level_for(double intensity, double mean_speed_mps,
+                              const PowerLevelParams& p) noexcept {
+  const double zero = p.zero_intensity.at(mean_speed_mps);
+  const double g = (intensity - zero) / (p.rated_intensity.at(mean_speed_mps) - zero);
   return std::clamp(g, 0.0, p.maximum);
 }
 
@@ -28,9 +33,11 @@ inline double power_level_for(double intensity, const PowerLevelParams& p) {
 class PowerLevel {
  public:
   /// NaN: unknown.
-  void set_intensity(double intensity, const PowerLevelParams& p) noexcept {
+  void set_intensity(double intensity, double mean_speed_mps, const PowerLevelParams& p) noexcept {
+    const bool was_known = known_;
     known_ = std::isfinite(intensity);
-    target_ = known_ ? power_level_for(intensity, p) : 1.0;
+    const double target = known_ ? power_level_for(intensity, mean_speed_mps, p) : 1.0;
+    if (!known_ || !was_known || std::abs(target - target_) > p.deadband) target_ = target;
   }
   void step(double rate_1ps, double time_step_s) noexcept {
     const double most = rate_1ps * time_step_s;

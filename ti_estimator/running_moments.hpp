@@ -39,6 +39,8 @@ class RunningMoments {
     --count_;
   }
 
+  /// In units.
+  std::int64_t sum() const { return sum_; }
   int count() const { return static_cast<int>(count_); }
   /// Precondition: count() >= 1.
   double mean_mps() const {

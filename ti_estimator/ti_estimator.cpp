@@ -9,7 +9,6 @@ namespace lac {
 namespace {
 
 constexpr double kCosOfTwoDegrees = 0.99939;
-constexpr double kSpareRows = 1.25;  // a lidar may be that much faster than ScanTime
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Where a sample comes from: the beam in frame I, and along the mean wind.
@@ -34,17 +33,12 @@ View view_of(const LidarMeasurement& m, const TiEstimatorParams& p, double yaw_e
 TiEstimator::TiEstimator(TiEstimatorParams params, double time_step_s)
     : params_(std::move(params)),
       time_step_s_(time_step_s),
-      needed_samples_(std::max(2, static_cast<int>(std::ceil(
-                                      params_.minimum_fill * params_.expected_samples() - 1e-9)))),
       table_(Correction(params_.correction), params_.beam_dir_L, params_.table_speeds_mps,
              params_.table_yaw_errors_rad) {}
 
 TiEstimator::State TiEstimator::initial_state() const {
-  const int beams = static_cast<int>(params_.beam_dir_L.size());
-  const double rows = kSpareRows * beams * params_.expected_samples() + 2.0 * beams;
   State s;
-  s.window = SampleWindow(beams, params_.number_of_gates, static_cast<int>(rows),
-                          params_.averaging_time_s);
+  s.window = SpeedStatistics(params_.statistics());
   s.beams.resize(params_.beam_dir_L.size());
   return s;
 }
@@ -55,11 +49,11 @@ TiEstimator::Outputs TiEstimator::step(const Inputs& in, State& state) const noe
   }
   Outputs out;
   const int left = state.window.expire(in.time_s);
-  if (left >= 0) update_beam(left, state);
+  if (left >= 0) update_beam(left, in.time_s, state);
   if (in.measurement != nullptr) take_in(*in.measurement, in.time_s, state, out);
   if (left >= 0 || in.measurement != nullptr) {
     update_estimate(in.time_s, state);
-    state.power_level.set_intensity(state.intensity, params_.power_level);
+    state.power_level.set_intensity(state.intensity, state.mean_speed_mps, params_.power_level);
   }
   state.power_level.step(params_.power_level.rate_1ps, time_step_s_);
 
@@ -89,7 +83,7 @@ void TiEstimator::take_in(const LidarMeasurement& m, double time_s, State& state
   out.too_many_gates = m.gate_count > params_.number_of_gates;
   out.other_direction = is_other_direction(m);
   out.no_room = !state.window.add(time_s, m.beam_id, row);
-  update_beam(m.beam_id, state);
+  update_beam(m.beam_id, time_s, state);
 }
 
 bool TiEstimator::is_other_direction(const LidarMeasurement& m) const noexcept {
@@ -97,13 +91,13 @@ bool TiEstimator::is_other_direction(const LidarMeasurement& m) const noexcept {
   return !(std::abs(cosine - 1.0) < 1.0 - kCosOfTwoDegrees);
 }
 
-void TiEstimator::update_beam(int beam, State& state) const noexcept {
+void TiEstimator::update_beam(int beam, double time_s, State& state) const noexcept {
   State::Beam sums;
   for (int g = 0; g < params_.number_of_gates; ++g) {
-    const RunningMoments& series = state.window.series(beam, g);
-    if (series.count() < needed_samples_) continue;
-    sums.sum_of_std_mps += series.standard_deviation_mps();
-    sums.sum_of_mean_mps += series.mean_mps();
+    const SpeedStatistics::Series series = state.window.series(beam, g, time_s);
+    if (!series.filled) continue;
+    sums.sum_of_std_mps += series.standard_deviation_mps;
+    sums.sum_of_mean_mps += series.mean_mps;
     ++sums.filled;
   }
   state.beams[static_cast<std::size_t>(beam)] = sums;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/filters.hpp"
-#include "ti_estimator/sample_window.hpp"
+#include "ti_estimator/speed_statistics.hpp"
 #include "ti_estimator/ti_estimator_params.hpp"
 
 namespace lac {
@@ -16,7 +16,7 @@ namespace lac {
 /// Each valid sample becomes a longitudinal wind speed
 ///   u = (v_los - n_I . V_lidar) / (-n_x),   n_x: along the mean wind,
 /// v_los positive towards the lidar. Per beam b and gate, over the last T seconds: mean and sample
-/// standard deviation. With the series that hold enough samples,
+/// standard deviation (SpeedStatistics). With the series that hold enough samples,
 ///   TI = mean(c_TI,b |n_x,b| std(u)) / U,   U = mean(mean(u)).
 /// For a beam at rest |n_x| std(u) is std(v_los), S20's quantity; formed from u it is blind to slow
 /// turns of the beam. There is no estimate before T has passed, with no series filled, and for U
@@ -48,7 +48,7 @@ class TiEstimator {
       int filled = 0;
       void visit(StateArchive& a) { a(sum_of_std_mps), a(sum_of_mean_mps), a(filled); }
     };
-    SampleWindow window;
+    SpeedStatistics window;
     std::vector<Beam> beams;
     SlowMean yaw_error_rad;
     double intensity = std::numeric_limits<double>::quiet_NaN();
@@ -70,12 +70,11 @@ class TiEstimator {
  private:
   void take_in(const LidarMeasurement& m, double time_s, State& state, Outputs& out) const noexcept;
   bool is_other_direction(const LidarMeasurement& m) const noexcept;
-  void update_beam(int beam, State& state) const noexcept;
+  void update_beam(int beam, double time_s, State& state) const noexcept;
   void update_estimate(double time_s, State& state) const noexcept;
 
   TiEstimatorParams params_;
   double time_step_s_;
-  int needed_samples_;
   CorrectionTable table_;
 };
 

@@ -37,11 +37,41 @@ void read_lidar(InputFile& in, TiEstimatorParams& p) {
 void read_statistics(InputFile& in, TiEstimatorParams& p) {
   p.averaging_time_s = in.number("AveragingTime", p.averaging_time_s, Range::between(60.0, 3600.0));
   p.minimum_fill = in.number("MinimumFill", p.minimum_fill, Range::between(0.1, 1.0));
-  if (p.expected_samples() < kFewestSamples || p.expected_samples() > kMostSamples) {
-    in.fail("AveragingTime", "AveragingTime over ScanTime is " +
-                                 std::to_string(p.expected_samples()) +
+  const double expected_samples = p.statistics().expected_samples();
+  if (expected_samples < kFewestSamples || expected_samples > kMostSamples) {
+    in.fail("AveragingTime", "AveragingTime over ScanTime is " + std::to_string(expected_samples) +
                                  " samples per volume, expected " + std::to_string(kFewestSamples) +
                                  " to " + std::to_string(kMostSamples));
+  }
+}
+
+void read_window(InputFile& in, CorrectionParams& c) {
+  c.window = static_cast<Window>(in.choice("Window", 0, {"sliding", "exponential"}));
+  c.detrending = static_cast<Detrending>(in.choice("Detrending", 0, {"mean", "linear"}));
+  c.low_frequencies =
+      static_cast<LowFrequencies>(in.choice("LowFrequencies", 0, {"cutoff", "response"}));
+  if (c.detrending == Detrending::Linear && c.window == Window::Exponential) {
+    in.fail("Detrending", "linear is for the sliding window only");
+  }
+  const bool plain = c.detrending == Detrending::Mean && c.window == Window::Sliding;
+  if (!plain && c.low_frequencies == LowFrequencies::Cutoff) {
+    in.fail("LowFrequencies",
+            "a sharp cutoff at 1/AveragingTime is for the sliding window without its mean alone; "
+            "write response");
+  }
+}
+
+void read_volume(InputFile& in, CorrectionParams& c) {
+  c.pulse_width_m = in.number("PulseWidth", c.pulse_width_m, Range::between(0.0, 500.0));
+  c.volume_model =
+      static_cast<VolumeModel>(in.choice("VolumeModel", 0, {"full", "phase", "three_point"}));
+  c.lateral_coherence =
+      static_cast<LateralCoherence>(in.choice("LateralCoherence", 0, {"same_as_u", "independent"}));
+  if (c.volume_model == VolumeModel::Phase &&
+      c.lateral_coherence == LateralCoherence::Independent) {
+    in.fail("LateralCoherence",
+            "independent contradicts VolumeModel phase, in which all points across the wind are "
+            "alike");
   }
 }
 
@@ -51,11 +81,9 @@ void read_correction(InputFile& in, TiEstimatorParams& p) {
   c.averaging_time_s = p.averaging_time_s;
   c.scan_rate_hz = 1.0 / p.scan_time_s;
   c.max_frequency_hz = in.number("MaximumFrequency", c.max_frequency_hz, {0.0, 1000.0, false});
-  c.pulse_width_m = in.number("PulseWidth", c.pulse_width_m, Range::between(0.0, 500.0));
-  c.lateral_coherence =
-      static_cast<LateralCoherence>(in.choice("LateralCoherence", 0, {"same_as_u", "independent"}));
-  c.low_frequencies =
-      static_cast<LowFrequencies>(in.choice("LowFrequencies", 0, {"cutoff", "response"}));
+  c.aliasing = in.flag("Aliasing", c.aliasing);
+  read_volume(in, c);
+  read_window(in, c);
   if (c.max_frequency_hz * p.averaging_time_s <= 1.0) {
     in.fail("MaximumFrequency", "not above 1/AveragingTime");
   }
@@ -97,19 +125,48 @@ void read_table_axes(InputFile& in, TiEstimatorParams& p) {
   }
 }
 
+/// TIRated and TI0, each one number, or one per value of TIWindSpeeds.
+void read_intensities(InputFile& in, PowerLevelParams& g) {
+  std::vector<double> speeds_mps{0.0};
+  std::vector<double> rated{g.rated_intensity.y().front()}, zero{g.zero_intensity.y().front()};
+  if (in.has("TIWindSpeeds")) {
+    read_axis(in, "TIWindSpeeds", {0.5, 100.0}, speeds_mps);
+    rated = in.numbers("TIRated", speeds_mps.size(), "TIWindSpeeds", Range::positive());
+    zero = in.numbers("TI0", speeds_mps.size(), "TIWindSpeeds", Range::positive());
+  } else {
+    rated = {in.number("TIRated", rated.front(), Range::positive())};
+    zero = {in.number("TI0", zero.front(), Range::positive())};
+  }
+  for (std::size_t i = 0; i < zero.size(); ++i) {
+    if (zero[i] > rated[i]) continue;
+    in.fail("TI0", "found " + std::to_string(zero[i]) + ", expected more than TIRated (" +
+                       std::to_string(rated[i]) + "): more turbulence, less power");
+  }
+  g.rated_intensity = LookupTable(speeds_mps, rated);
+  g.zero_intensity = LookupTable(speeds_mps, zero);
+}
+
 void read_power_level(InputFile& in, TiEstimatorParams& p) {
   PowerLevelParams& g = p.power_level;
-  g.rated_intensity = in.number("TIRated", g.rated_intensity, Range::positive());
-  g.zero_intensity = in.number("TI0", g.zero_intensity, Range::positive());
+  read_intensities(in, g);
   g.maximum = in.number("MaximumPowerLevel", g.maximum, {0.0, 2.0, false});
   g.rate_1ps = in.number("PowerLevelRate", g.rate_1ps, Range::positive());
-  if (g.zero_intensity <= g.rated_intensity) {
-    in.fail("TI0", "found " + std::to_string(g.zero_intensity) + ", expected more than TIRated (" +
-                       std::to_string(g.rated_intensity) + "): more turbulence, less power");
-  }
+  g.deadband = in.number("PowerLevelDeadband", g.deadband, Range::between(0.0, 0.5));
 }
 
 }  // namespace
+
+StatisticsSpec TiEstimatorParams::statistics() const {
+  StatisticsSpec spec;
+  spec.window = correction.window;
+  spec.detrending = correction.detrending;
+  spec.window_s = averaging_time_s;
+  spec.scan_time_s = scan_time_s;
+  spec.minimum_fill = minimum_fill;
+  spec.beams = static_cast<int>(beam_dir_L.size());
+  spec.gates = number_of_gates;
+  return spec;
+}
 
 TiEstimatorParams TiEstimatorParams::read(InputFile& in) {
   TiEstimatorParams p;

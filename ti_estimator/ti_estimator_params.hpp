@@ -7,6 +7,7 @@
 #include "core/lidar_reader.hpp"
 #include "ti_estimator/correction.hpp"
 #include "ti_estimator/power_level.hpp"
+#include "ti_estimator/speed_statistics.hpp"
 
 namespace lac {
 
@@ -47,8 +48,7 @@ struct TiEstimatorParams {
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static TiEstimatorParams read(InputFile& in);
 
-  /// Samples that a volume gives in T.
-  double expected_samples() const { return averaging_time_s / scan_time_s; }
+  StatisticsSpec statistics() const;
 };
 
 }  // namespace lac

@@ -124,6 +124,66 @@ TEST(Correction, IndependentLateralComponentsLeaveU) {
   EXPECT_GT(independent.c_ti(n, 16.0, 0.0), Correction(params()).c_ti(n, 16.0, 0.0));
 }
 
+// The phase model: a Gaussian filter along the beam's projection, v and w included.
+TEST(Correction, PhaseModel) {
+  CorrectionParams p = params();
+  p.volume_model = VolumeModel::Phase;
+  const Vec3 n = beam();
+  const double phase = 2.0 * kPi * 0.1 / 16.0 * n.x * 30.0 / std::sqrt(8.0 * std::log(2.0));
+  EXPECT_NEAR(Correction(p).volume_response(n, 0.1, 16.0), std::exp(-phase * phase), 1e-14);
+}
+
+// Three points: the double sum written out. The models are in rising order of what they average
+// away, for S20's beams and T = 600 s (methods section 6).
+TEST(Correction, ThreePointModel) {
+  CorrectionParams p = params();
+  p.volume_model = VolumeModel::ThreePoint;
+  const Vec3 n = beam();
+  const double k = 2.0 * kPi * 0.1 / 16.0 * n.x;
+  const double c = p.model.coherence_rate(0.1, 16.0) * std::hypot(n.y, n.z);
+  const double weights[3] = {0.25, 0.5, 0.25}, places_m[3] = {-15.0, 0.0, 15.0};
+  double expected = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double d = std::abs(places_m[i] - places_m[j]);
+      expected += weights[i] * weights[j] * std::cos(k * d) * std::exp(-c * d);
+    }
+  }
+  EXPECT_NEAR(Correction(p).volume_response(n, 0.1, 16.0), expected, 1e-14);
+  CorrectionParams phase = params();
+  phase.volume_model = VolumeModel::Phase;
+  EXPECT_LT(Correction(phase).c_ti(n, 16.0, 0.0), Correction(params()).c_ti(n, 16.0, 0.0));
+}
+
+// With what is folded down the samples hold more, and there is less to correct.
+TEST(Correction, Aliasing) {
+  CorrectionParams p = params();
+  p.aliasing = true;
+  p.pulse_width_m = 0.0;
+  const Vec3 n = beam();
+  const double expected = n.x * n.x * p.model.u.variance(1.0 / 600.0, 10.0, 16.0) +
+                          n.y * n.y * p.model.v.variance(1.0 / 600.0, 10.0, 16.0) +
+                          n.z * n.z * p.model.w.variance(1.0 / 600.0, 10.0, 16.0);
+  EXPECT_NEAR(Correction(p).los_variance(n, 16.0) / expected, 1.0, 1e-9);
+  p.pulse_width_m = 30.0;
+  EXPECT_LT(Correction(p).c_ti(n, 16.0, 0.0), Correction(params()).c_ti(n, 16.0, 0.0));
+}
+
+// What a window leaves of all frequencies, against brute force down to 1e-4/T.
+TEST(Correction, OtherWindows) {
+  for (const auto& [window, detrending] : {std::pair{Window::Sliding, Detrending::Linear},
+                                           std::pair{Window::Exponential, Detrending::Mean}}) {
+    CorrectionParams p = params();
+    p.low_frequencies = LowFrequencies::Response;
+    p.window = window;
+    p.detrending = detrending;
+    const double expected = integral_over_log_f(1e-4 / 600.0, 10.0, [&](double f) {
+      return p.model.u.spectrum(f, 16.0) * window_response(f * 600.0, window, detrending);
+    });
+    EXPECT_NEAR(Correction(p).u_variance(16.0) / expected, 1.0, 2e-6);
+  }
+}
+
 // The exact response of a window, 1 - sinc^2(f T), against brute force down to 1e-4/T.
 TEST(Correction, WindowResponse) {
   CorrectionParams p = params();

@@ -85,7 +85,8 @@ TEST(TiEstimatorLibrary, RecordsBeforeAndAfterT) {
                           std::sqrt(0.5 * 180.0 / 179.0) / 16.0;
   EXPECT_NEAR(host.get(Rec::TurbulenceIntensity) / expected, 1.0, 2e-3);
   EXPECT_EQ(host.get(Rec::TurbulenceValid), 1.0);
-  EXPECT_NEAR(host.get(Rec::PowerLevel), power_level_for(expected, host.params.power_level), 5e-3);
+  EXPECT_NEAR(host.get(Rec::PowerLevel), power_level_for(expected, 16.0, host.params.power_level),
+              5e-3);
   EXPECT_EQ(host.get(Rec::PowerLevelValid), 1.0);
 }
 

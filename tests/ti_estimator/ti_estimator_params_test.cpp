@@ -38,7 +38,7 @@ TEST(TiEstimatorParams, ShippedFile) {
   EXPECT_EQ(p.correction.averaging_time_s, 180.0);
   EXPECT_EQ(p.correction.scan_rate_hz, 1.0);
   EXPECT_DOUBLE_EQ(p.correction.model.u.length_scale_m, 8.1 * 42.0);
-  EXPECT_EQ(p.power_level.zero_intensity, 0.32);
+  EXPECT_EQ(p.power_level.zero_intensity.at(16.0), 0.32);
   EXPECT_EQ(p.table_yaw_errors_rad.size(), 1U);
 }
 
@@ -67,6 +67,21 @@ TEST(TiEstimatorParams, GuoLayout) {
   EXPECT_EQ(p.beam_dir_L, p.reader.guo.beam_dir_L);
 }
 
+// Intensities over wind speed, and the options of window, volume and deadband.
+TEST(TiEstimatorParams, Options) {
+  const TiEstimatorParams p = parse(
+      kMinimal +
+      "12 16 20 ! TIWindSpeeds - x\n0.2 0.16 0.15 ! TIRated - x\n0.4 0.32 0.3 ! TI0 - x\n"
+      "0.02 ! PowerLevelDeadband - x\nexponential ! Window - x\nresponse ! LowFrequencies - x\n"
+      "three_point ! VolumeModel - x\ntrue ! Aliasing - x\n");
+  EXPECT_DOUBLE_EQ(p.power_level.rated_intensity.at(14.0), 0.18);
+  EXPECT_DOUBLE_EQ(p.power_level.zero_intensity.at(18.0), 0.31);
+  EXPECT_EQ(p.power_level.deadband, 0.02);
+  EXPECT_EQ(p.statistics().window, Window::Exponential);
+  EXPECT_EQ(p.correction.volume_model, VolumeModel::ThreePoint);
+  EXPECT_TRUE(p.correction.aliasing);
+}
+
 // Mistakes are refused with the key and what was expected.
 TEST(TiEstimatorParams, Mistakes) {
   const auto expect = [](const std::string& line, const std::string& key, const std::string& text) {
@@ -80,6 +95,13 @@ TEST(TiEstimatorParams, Mistakes) {
   expect("5 5 ! TableWindSpeeds - x\n", "TableWindSpeeds", "rising");
   expect("5 ! TableWindSpeeds - x\n", "TableWindSpeeds", "two or more");
   expect("0.001 ! MaximumFrequency - x\n", "MaximumFrequency", "1/AveragingTime");
+  expect("12 16 ! TIWindSpeeds - x\n", "TIRated", "missing");
+  expect("12 16 ! TIWindSpeeds - x\n0.2 0.2 ! TIRated - x\n0.3 0.1 ! TI0 - x\n", "TI0",
+         "more than TIRated");
+  expect("linear ! Detrending - x\n", "LowFrequencies", "write response");
+  expect("linear ! Detrending - x\nexponential ! Window - x\n", "Detrending", "sliding window");
+  expect("phase ! VolumeModel - x\nindependent ! LateralCoherence - x\n", "LateralCoherence",
+         "contradicts");
   expect("0 ! PowerLevelRate - x\n", "PowerLevelRate", "found");
   expect("true ! UseYawErorr - x\n", "UseYawErorr", "UseYawError");
 }

@@ -109,6 +109,23 @@ TEST(TiEstimator, KnownVariance) {
   EXPECT_NEAR(out.intensity / expected_intensity(params()), 1.0, 2e-3);
 }
 
+// The exponential window, whose weights ripple a little with the phase of the sine.
+TEST(TiEstimator, KnownVarianceInAnExponentialWindow) {
+  TiEstimatorParams p = params();
+  p.correction.window = Window::Exponential;
+  p.correction.low_frequencies = LowFrequencies::Response;
+  Rig rig(p);
+  const auto out = rig.run_until(400.0);
+  const double left = window_response(60.0 / 12.0, Window::Exponential, Detrending::Mean);
+  const Vec3 n = p.beam_dir_L[0];
+  const double expected = Correction(p.correction).c_ti(n, kSpeed_mps, 0.0) * n.x * kAmplitude_mps *
+                          std::sqrt(0.5 * left) / kSpeed_mps;
+  EXPECT_EQ(out.filled_series, 12);
+  EXPECT_NEAR(out.intensity / expected, 1.0, 0.02);
+  rig.tamper = [](LidarMeasurement&) { return false; };
+  EXPECT_FALSE(rig.run_until(460.0).valid());  // after ln 2 / 2 of T: half of the weight
+}
+
 // Nothing is said before T has passed, although all series hold enough samples long before.
 TEST(TiEstimator, SilentUntilTheWindowIsFilled) {
   Rig rig(params());
