@@ -12,6 +12,26 @@ constexpr double kAcrossLimit = 0.05;       // smallest n_x of a beam that can g
 
 constexpr auto kGates = static_cast<std::size_t>(native_lidar::kMaxGates);
 
+/// To the last bit; a gate without a speed repeats itself like any other.
+bool repeats(float now, float last) {
+  return now == last || (std::isnan(now) && std::isnan(last));
+}
+
+void drop_all(LidarMeasurement& m) {
+  for (int g = 0; g < m.gate_count; ++g) m.gates[static_cast<std::size_t>(g)].valid = false;
+}
+
+void read_cnr_limits(InputFile& in, LidarReaderParams& p) {
+  for (const char* key : {"MinimumCnr", "MaximumCnr"}) {
+    if (in.has(key) && p.layout != LidarLayout::Native) {
+      in.fail(key, "only with LidarLayout native: the others carry no carrier-to-noise ratio");
+    }
+  }
+  if (in.has("MinimumCnr")) p.min_cnr_db = in.number("MinimumCnr", Range::between(-60.0, 60.0));
+  if (in.has("MaximumCnr")) p.max_cnr_db = in.number("MaximumCnr", Range::between(-60.0, 60.0));
+  if (p.min_cnr_db >= p.max_cnr_db) in.fail("MaximumCnr", "expected more than MinimumCnr");
+}
+
 }  // namespace
 
 LidarReaderParams LidarReaderParams::read(InputFile& in) {
@@ -21,6 +41,7 @@ LidarReaderParams LidarReaderParams::read(InputFile& in) {
   p.number_of_beams = openfast ? 1 : in.integer("NumberOfBeams", Range::between(1, 256));
   p.min_speed_mps = in.number("MinimumSpeed", p.min_speed_mps, Range::between(-90.0, 0.0));
   p.max_speed_mps = in.number("MaximumSpeed", p.max_speed_mps, Range::between(1.0, 120.0));
+  read_cnr_limits(in, p);
   p.stuck_scans = in.integer("StuckScans", p.stuck_scans, Range::not_negative());
   if (openfast) p.openfast = OpenFastLidarParams::read(in);
   if (p.layout == LidarLayout::Guo) p.guo = GuoLidarParams::read(in, p.number_of_beams);
@@ -69,6 +90,7 @@ bool LidarReader::read(SwapView swap, double time_s, State& state, LidarMeasurem
     return false;
   }
   judge_samples(m);
+  judge_time(time_s, state, m, notice);
   judge_repeats(swap, state, m, notice);
   return true;
 }
@@ -83,8 +105,22 @@ void LidarReader::judge_samples(LidarMeasurement& m) const noexcept {
     const double v = gate.speed_mps;
     gate.valid = gate.valid && geometry_good && std::isfinite(v) && v > kErrorValueBelow &&
                  v != kErrorValue && v >= params_.min_speed_mps && v <= params_.max_speed_mps &&
-                 std::isfinite(gate.range_m) && gate.range_m > 0.0;
+                 std::isfinite(gate.range_m) && gate.range_m > 0.0 &&
+                 gate.cnr_db >= params_.min_cnr_db && gate.cnr_db <= params_.max_cnr_db;
   }
+}
+
+void LidarReader::judge_time(double time_s, State& state, LidarMeasurement& m,
+                             Notice& notice) const noexcept {
+  const bool future = m.time_s > time_s + kFuture_s;
+  if (future && !state.future) {
+    notice.warn("lidar: time stamps are %.3g s ahead of the controller's clock: not used",
+                m.time_s - time_s);
+  } else if (state.future && !future) {
+    notice.warn("lidar: time stamps are right again");
+  }
+  state.future = future;
+  if (future) drop_all(m);
 }
 
 void LidarReader::judge_repeats(SwapView swap, State& state, LidarMeasurement& m,
@@ -97,7 +133,7 @@ void LidarReader::judge_repeats(SwapView swap, State& state, LidarMeasurement& m
     any_valid = any_valid || m.gates[static_cast<std::size_t>(g)].valid;
     float& last = state.last_speed[beam * kGates + static_cast<std::size_t>(g)];
     const auto now = static_cast<float>(m.gates[static_cast<std::size_t>(g)].speed_mps);
-    same = same && now == last;
+    same = same && repeats(now, last);
     last = now;
   }
   state.repeats[beam] = same ? state.repeats[beam] + 1 : 0;
@@ -117,8 +153,7 @@ void LidarReader::judge_repeats(SwapView swap, State& state, LidarMeasurement& m
     }
     state.stuck[beam] = stuck ? 1 : 0;
   }
-  if (!stuck) return;
-  for (int g = 0; g < m.gate_count; ++g) m.gates[static_cast<std::size_t>(g)].valid = false;
+  if (stuck) drop_all(m);
 }
 
 }  // namespace lac

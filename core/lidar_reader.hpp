@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct LidarReaderParams {
   // Plausible line-of-sight speeds; outside of them a sample is invalid.
   double min_speed_mps = -5.0;
   double max_speed_mps = 60.0;
+  // Carrier-to-noise ratio outside of which a sample is invalid: below, the lidar sees noise;
+  // above, something hard. Native layout alone carries it.
+  double min_cnr_db = -std::numeric_limits<double>::infinity();
+  double max_cnr_db = std::numeric_limits<double>::infinity();
   // A beam that repeats itself this often, to the last bit, while record 27 (nacelle anemometer)
   // moved by more than stuck_wind_change_mps since its last fresh value, is stuck until it gives a
   // fresh one. 0: no check.
@@ -27,7 +32,7 @@ struct LidarReaderParams {
   OpenFastLidarParams openfast;
 
   /// Keys LidarLayout, NumberOfBeams (not for OpenFAST's block), MinimumSpeed, MaximumSpeed,
-  /// StuckScans, and those of the layout.
+  /// MinimumCnr, MaximumCnr (native alone), StuckScans, and those of the layout.
   static LidarReaderParams read(InputFile& in);
   /// ScanTime [s], which the measurement interval of OpenFAST's block stands in for if missing.
   double read_scan_time(InputFile& in, Range range) const;
@@ -35,9 +40,14 @@ struct LidarReaderParams {
 
 /// Takes new measurements out of the array and says which samples may be used. A sample is valid
 /// if its flag says so, it is finite, plausible, none of the error values of the field (-99 and
-/// below -90, 999) and its beam is not stuck. Every other value leaves it marked invalid.
+/// below -90, 999), its carrier-to-noise ratio is within limits, it is not from the future
+/// (kFuture_s) and its beam is not stuck. Every other value leaves it marked invalid.
 class LidarReader {
  public:
+  /// How far the time stamp of a measurement may be ahead of the call that brings it: clocks and
+  /// single precision differ a little.
+  static constexpr double kFuture_s = 0.1;
+
   struct State {
     std::variant<NativeLidar::State, GuoLidar::State, OpenFastLidar::State> source;
     std::vector<float> last_speed;  // beams x kMaxGates
@@ -45,9 +55,11 @@ class LidarReader {
     std::vector<double> wind_at_change_mps;
     std::vector<unsigned char> stuck;  // per beam
     bool beam_reported = false;
+    bool future = false;  // the last time stamp was ahead
     void visit(StateArchive& a) {
       std::visit([&a](auto& s) { a(s); }, source);
       a(last_speed), a(repeats), a(wind_at_change_mps), a(stuck), a(beam_reported);
+      a(future);
     }
   };
 
@@ -68,6 +80,7 @@ class LidarReader {
 
  private:
   void judge_samples(LidarMeasurement& m) const noexcept;
+  void judge_time(double time_s, State& state, LidarMeasurement& m, Notice& notice) const noexcept;
   void judge_repeats(SwapView swap, State& state, LidarMeasurement& m,
                      Notice& notice) const noexcept;
 

@@ -27,21 +27,28 @@ class LdpModule final : public DisconModule {
       in.measurement = &measurement_;
     }
     const Ldp::Outputs out = ldp_.step(in, state_);
-    report(out, notice);
+    report(out, time_s, notice);
     write_lidar_rews(out, scan_time_s_, swap);
   }
 
   void visit_state(StateArchive& a) override {
-    a(state_), a(reader_state_), a(was_valid_), a(scan_reported_);
+    a(state_), a(reader_state_), a(was_valid_), a(silence_reported_), a(scan_reported_);
   }
 
  private:
-  void report(const Ldp::Outputs& out, Notice& notice) noexcept {
+  /// From the start of the run; the farthest gate's wind has long arrived by then.
+  static constexpr double kLongSilence_s = 60.0;
+
+  void report(const Ldp::Outputs& out, double time_s, Notice& notice) noexcept {
     if (was_valid_ && !out.valid) {
       notice.warn(
           "no valid lidar wind speed: %d samples in the scan window, the last one %.1f s ago",
           out.samples, out.data_age_s);
     }
+    if (!silence_reported_ && !out.valid && time_s >= kLongSilence_s) {
+      notice.warn("no valid lidar wind speed since the start, %.0f s ago", time_s);
+    }
+    silence_reported_ = silence_reported_ || out.valid || time_s >= kLongSilence_s;
     was_valid_ = out.valid;
     if (!out.valid || scan_reported_ || out.scan_time_s <= 1.1 * scan_time_s_) return;
     notice.warn(
@@ -58,6 +65,7 @@ class LdpModule final : public DisconModule {
   LidarReader::State reader_state_;
   LidarMeasurement measurement_;
   bool was_valid_ = false;
+  bool silence_reported_ = false;  // or there was none
   bool scan_reported_ = false;
 };
 

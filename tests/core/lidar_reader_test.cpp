@@ -105,6 +105,48 @@ TEST(LidarReader, StuckBeam) {
   EXPECT_THAT(std::string(b.notice.text()), testing::HasSubstr("beam 0 gives fresh values again"));
 }
 
+// A stuck beam that lacks some gates is found all the same.
+TEST(LidarReader, StuckBeamWithGaps) {
+  Bench b;
+  LidarMeasurement sent = b.scan.measure(1.0, 0);
+  sent.gates[1].speed_mps = std::nan("");
+  for (int i = 0; i < 20; ++i) {
+    b.swap().set(Rec::HubWindSpeed, 16.0 + 0.2 * i);
+    sent.time_s = 1.0 + i;
+    write_native_lidar(b.swap(), sent, true);
+    ASSERT_TRUE(b.read(sent.time_s));
+    EXPECT_EQ(b.m.gates[0].valid, i < 3) << i;
+  }
+}
+
+// A carrier-to-noise ratio outside of its limits makes a sample invalid, NaN as well.
+TEST(LidarReader, CarrierToNoise) {
+  LidarReaderParams p;
+  p.min_cnr_db = -22.0;
+  p.max_cnr_db = 5.0;
+  Bench b(p);
+  LidarMeasurement sent = b.scan.measure(1.0, 0);
+  const double cnr_db[] = {-22.5, -21.5, 4.5, 5.5, std::nan("")};
+  for (std::size_t g = 0; g < 5; ++g) sent.gates[g].cnr_db = cnr_db[g];
+  sent.gate_count = 5;
+  write_native_lidar(b.swap(), sent, true);
+  ASSERT_TRUE(b.read(1.0));
+  for (std::size_t g = 0; g < 5; ++g) EXPECT_EQ(b.m.gates[g].valid, g == 1 || g == 2) << g;
+}
+
+// Time stamps ahead of the call: not used, told once, and when they are right again.
+TEST(LidarReader, Future) {
+  Bench b;
+  for (const double ahead_s : {0.0, 0.09, 0.2, 2.0, 0.0}) {
+    LidarMeasurement sent = b.scan.measure(1.0 + ahead_s, 0);
+    write_native_lidar(b.swap(), sent, true);
+    const bool was_future = b.state.future;
+    ASSERT_TRUE(b.read(1.0));
+    EXPECT_EQ(b.m.gates[0].valid, ahead_s < 0.1) << ahead_s;
+    EXPECT_EQ(b.notice.level() != 0, was_future != (ahead_s >= 0.1)) << ahead_s;
+  }
+}
+
 // Error values that repeat themselves are invalid, and no message of a stuck beam.
 TEST(LidarReader, RepeatedErrorValuesAreNotStuck) {
   Bench b;

@@ -43,6 +43,24 @@ TEST(LdpLibrary, DeadLidarIsToldOnce) {
   EXPECT_EQ(caller.swap().get(Rec::LidarRewsValid), 0.0);
 }
 
+// So is one that never says anything that can be used.
+TEST(LdpLibrary, SilenceFromTheStartIsToldOnce) {
+  DisconCaller caller("liblac_ldp", shipped());
+  test::LidarScan scan;
+  int messages = 0;
+  for (int i = 0; i < 8000; ++i) {
+    LidarMeasurement sent = scan.measure(i * caller.time_step_s, i / 20 % 4);
+    for (LidarGate& gate : sent.gates) gate.valid = false;
+    write_native_lidar(caller.swap(), sent, i % 20 == 0);
+    if (caller.call(i == 0 ? 0 : 1) == 0) continue;
+    ++messages;
+    EXPECT_NE(caller.message().find("no valid lidar wind speed since the start, 60 s"),
+              std::string::npos)
+        << caller.message();
+  }
+  EXPECT_EQ(messages, 1);
+}
+
 // A lidar that scans more slowly than the input file says is told once.
 TEST(LdpLibrary, SlowerScanThanToldIsTold) {
   DisconCaller caller("liblac_ldp", shipped());
