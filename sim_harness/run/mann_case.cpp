@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/mann_case.hpp"
 
-#include <algorithm>
 #include <ostream>
 
+#include "sim_harness/run/evolution_case.hpp"
 #include "sim_harness/run/turbulence_case.hpp"
 #include "sim_harness/wind/iec_wind.hpp"
 #include "sim_harness/wind/stability.hpp"
@@ -33,11 +33,10 @@ MannParams read_model(YamlReader& in, double hub_height_m) {
 }
 
 /// Distances of the planes; time_scale_s goes to the model.
-std::vector<double> read_evolution(YamlReader in, MannParams& model) {
+std::vector<double> read_evolution(YamlReader in, const WindSurroundings& around,
+                                   MannParams& model) {
   model.evolution_s = in.number("time_scale_s", model.evolution_s, Range::positive());
-  const std::vector<double> planes_m = in.numbers("planes_m", Range::positive());
-  if (std::ranges::adjacent_find(planes_m, std::ranges::greater_equal{}) != planes_m.end())
-    in.fail("planes_m", "expected distances that rise");
+  std::vector<double> planes_m = read_planes(in, around);
   in.finish();
   return planes_m;
 }
@@ -55,25 +54,14 @@ MannWind read_mann(YamlReader& in, const WindSurroundings& around) {
   p.box_nz = in.integer("box_points_up", p.box_nz, Range::between(2, 4096));
   p.small_eddies = static_cast<SmallEddies>(in.choice("small_eddies", 0, {"folded", "cut"}));
   p.rescale = in.flag("rescale", p.rescale);
-  if (in.has("evolution")) wind.planes_m = read_evolution(in.map("evolution"), p.model);
+  if (in.has("evolution")) wind.planes_m = read_evolution(in.map("evolution"), around, p.model);
   return wind;
 }
 
-std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape& shape) {
-  MannFieldParams params = wind.field;
-  const bool frozen = wind.planes_m.empty();
-  if (frozen) params.model.evolution_s = std::numeric_limits<double>::infinity();
-  MannPlanes planes(params);
-  const auto shaped = [&](double distance_m) {
-    VelocityGrid grid = planes.next(distance_m).take_grid();
-    apply(shape, grid);
-    return GriddedWind(std::move(grid));
-  };
-  if (frozen) return std::make_unique<GriddedWind>(shaped(0.0));
-  std::vector<WindPlane> all;
-  all.push_back({0.0, shaped(0.0)});
-  for (const double distance_m : wind.planes_m) all.push_back({distance_m, shaped(distance_m)});
-  return std::make_unique<EvolvingWind>(std::move(all));
+std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape& shape,
+                                          const WindDemand* demand) {
+  if (wind.planes_m.empty()) return shaped_field(make_mann_field(wind.field), shape);
+  return shaped(draw_evolving_mann(wind.field, PlaneLayout(wind.planes_m), demand), shape);
 }
 
 void describe(const MannWind& wind, std::ostream& out) {

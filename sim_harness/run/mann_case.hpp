@@ -10,8 +10,9 @@ namespace lac::sim {
 
 MannWind read_mann(YamlReader& in, const WindSurroundings& around);
 
-/// Draws plane after plane and gives each the shape.
-std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape& shape);
+/// Of planes up-wind what is demanded (nullptr: all); the shape is given to each.
+std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape& shape,
+                                          const WindDemand* demand);
 
 /// For reports, without a line feed.
 void describe(const MannWind& wind, std::ostream& out);

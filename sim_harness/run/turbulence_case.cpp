@@ -5,6 +5,12 @@
 
 namespace lac::sim {
 
+std::unique_ptr<WindField> shaped_field(GriddedWind wind, const FlowShape& shape) {
+  VelocityGrid grid = std::move(wind).take_grid();
+  apply(shape, grid);
+  return std::make_unique<GriddedWind>(std::move(grid));
+}
+
 double read_sigma_u(YamlReader& in, double mean_speed_mps) {
   const IecClass iec = read_iec_class(in);
   const bool extreme = in.choice("turbulence_model", 0, {"normal", "extreme"}) == 1;

@@ -6,6 +6,9 @@
 
 namespace lac::sim {
 
+/// The field with the shape.
+std::unique_ptr<WindField> shaped_field(GriddedWind wind, const FlowShape& shape);
+
 /// Keys wind_class, turbulence_category, turbulence_model (normal; extreme) and sigma_u_mps (of the
 /// standard) [m/s].
 double read_sigma_u(YamlReader& in, double mean_speed_mps);
@@ -16,7 +19,7 @@ template <class FieldParams>
 void read_grid(YamlReader& in, const WindSurroundings& around, FieldParams& p) {
   p.hub_height_m = around.hub_height_m;
   p.seed = around.seed;
-  p.shear_exponent = in.number("shear_exponent", p.shear_exponent, Range::between(-1.0, 1.0));
+  p.shear_exponent = in.number("shear_exponent", p.shear_exponent, Range::between(0.0, 1.0));
   p.width_m = in.number("width_m", p.width_m, Range::positive());
   p.height_m = in.number("height_m", p.height_m, Range::positive());
   p.ny = in.integer("points_across", p.ny, Range::between(2, 1000));

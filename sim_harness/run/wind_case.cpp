@@ -3,24 +3,16 @@
 
 #include <sstream>
 
+#include "sim_harness/run/evolution_case.hpp"
 #include "sim_harness/run/file_wind_case.hpp"
 #include "sim_harness/run/flow_case.hpp"
+#include "sim_harness/run/kaimal_case.hpp"
 #include "sim_harness/run/mann_case.hpp"
 #include "sim_harness/run/turbulence_case.hpp"
 #include "sim_harness/run/uniform_wind_case.hpp"
 
 namespace lac::sim {
 namespace {
-
-KaimalFieldParams read_kaimal(YamlReader& in, const WindSurroundings& around) {
-  KaimalFieldParams p;
-  p.mean_speed_mps = in.number("mean_speed_mps", Range::positive());
-  p.model = iec_kaimal(read_sigma_u(in, p.mean_speed_mps), around.hub_height_m);
-  read_grid(in, around, p);
-  p.lateral_coherence = static_cast<LateralCoherence>(
-      in.choice("lateral_coherence", 0, {"independent", "same_as_u"}));
-  return p;
-}
 
 struct Kind {
   const char* name;
@@ -51,25 +43,19 @@ WindSource read_source(YamlReader& in, const WindSurroundings& around) {
 
 struct Maker {
   const FlowShape& shape;
+  const WindDemand* demand;
 
   std::unique_ptr<WindField> operator()(const UniformWindParams& p) const {
     return std::make_unique<UniformWind>(p);
   }
-  std::unique_ptr<WindField> operator()(const KaimalFieldParams& p) const {
-    return shaped(make_kaimal_field(p));
+  std::unique_ptr<WindField> operator()(const KaimalWind& wind) const {
+    return make_kaimal_wind(wind, shape, demand);
   }
   std::unique_ptr<WindField> operator()(const MannWind& wind) const {
-    return make_mann_wind(wind, shape);
+    return make_mann_wind(wind, shape, demand);
   }
   std::unique_ptr<WindField> operator()(const FieldFile& file) const {
-    return shaped(read_field(file));
-  }
-
- private:
-  std::unique_ptr<WindField> shaped(GriddedWind wind) const {
-    VelocityGrid grid = std::move(wind).take_grid();
-    apply(shape, grid);
-    return std::make_unique<GriddedWind>(std::move(grid));
+    return shaped_field(read_field(file), shape);
   }
 };
 
@@ -77,13 +63,7 @@ struct Describer {
   std::ostringstream& out;
 
   void operator()(const UniformWindParams& p) const { describe(p, out); }
-  void operator()(const KaimalFieldParams& p) const {
-    out << "Kaimal turbulence, " << p.mean_speed_mps << " m/s, standard deviation "
-        << p.model.u.sigma_mps << " m/s, " << p.ny << " x " << p.nz << " points, v and w "
-        << (p.lateral_coherence == LateralCoherence::kSameAsU ? "coherent as u" : "independent")
-        << ", seed " << p.seed;
-    if (p.shear_exponent != 0.0) out << ", shear exponent " << p.shear_exponent;
-  }
+  void operator()(const KaimalWind& wind) const { describe(wind, out); }
   void operator()(const MannWind& wind) const { describe(wind, out); }
   void operator()(const FieldFile& file) const { describe(file, out); }
 };
@@ -91,17 +71,29 @@ struct Describer {
 }  // namespace
 
 WindCase read_wind(YamlReader& in, const WindSurroundings& around) {
-  WindCase wind{.source = read_source(in, around), .hub_height_m = around.hub_height_m};
+  WindCase wind{.source = read_source(in, around),
+                .hub_height_m = around.hub_height_m,
+                .rotor_radius_m = around.rotor_radius_m};
   if (!std::holds_alternative<UniformWindParams>(wind.source))
     wind.shape = read_shape(in, std::holds_alternative<FieldFile>(wind.source));
   wind.direction = read_direction(in);
   return wind;
 }
 
-std::unique_ptr<WindField> make_wind(const WindCase& wind) {
-  std::unique_ptr<WindField> field = std::visit(Maker{wind.shape}, wind.source);
-  if (!wind.direction.turns()) return field;
-  return std::make_unique<TurnedWind>(std::move(field), wind.hub_height_m, wind.direction);
+std::unique_ptr<WindField> make_wind(const WindCase& wind, const WindDemand* demand) {
+  if (!wind.direction.turns()) return std::visit(Maker{wind.shape, demand}, wind.source);
+  std::optional<WindDemand> in_field;
+  if (demand != nullptr) in_field = turned(*demand, wind);
+  return std::make_unique<TurnedWind>(
+      std::visit(Maker{wind.shape, in_field ? &*in_field : nullptr}, wind.source),
+      wind.hub_height_m, wind.direction);
+}
+
+bool evolves(const WindCase& wind) {
+  const auto* kaimal = std::get_if<KaimalWind>(&wind.source);
+  const auto* mann = std::get_if<MannWind>(&wind.source);
+  return (kaimal != nullptr && !kaimal->planes_m.empty()) ||
+         (mann != nullptr && !mann->planes_m.empty());
 }
 
 std::string describe(const WindCase& wind) {

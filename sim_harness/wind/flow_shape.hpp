@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim_harness/wind/velocity_grid.hpp"
+#include "sim_harness/wind/thinned_grid.hpp"
 
 namespace lac::sim {
 
@@ -28,5 +28,8 @@ struct FlowShape {
 
 /// Throws lac::Error if a scale is below 0, a value is not finite or the exponent meets z = 0.
 void apply(const FlowShape& shape, VelocityGrid& grid);
+/// The mean of a height is that of the columns kept: the same in generated fields, where each point
+/// has the mean profile as its mean over the period, to rounding.
+void apply(const FlowShape& shape, ThinnedGrid& grid);
 
 }  // namespace lac::sim

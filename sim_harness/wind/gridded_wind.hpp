@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "sim_harness/wind/velocity_grid.hpp"
+#include "sim_harness/wind/grid_interpolation.hpp"
 #include "sim_harness/wind/wind_field.hpp"
 
 namespace lac::sim {
@@ -34,12 +34,7 @@ class GriddedWind final : public WindField {
 
  private:
   VelocityGrid grid_;
-  double y_min_m_;
-  double inverse_dy_;
-  double inverse_dz_;
-  double inverse_dt_;
-  double inverse_nt_;
-  double inverse_speed_;
+  GridLocator locator_;
 };
 
 }  // namespace lac::sim

@@ -1,39 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <complex>
 #include <cstdint>
+#include <vector>
 
-#include "core/kaimal.hpp"
+#include "sim_harness/wind/evolving_grids.hpp"
 #include "sim_harness/wind/gridded_wind.hpp"
+#include "sim_harness/wind/kaimal_source.hpp"
 
 namespace lac::sim {
 
-/// What connects v, and w, of different points. IEC gives a coherence for u only; the choice moves
-/// the cut-off frequency of a multi-beam lidar by up to 10 % (methods section 1): say which one
-/// was used with every result.
-enum class LateralCoherence {
-  kIndependent,  // no connection: the text of IEC, TurbSim's default
-  kSameAsU,      // the coherence of u: what the frequency-domain correlation codes assume
+/// How well a field has the coherence of the model.
+struct KaimalReport {
+  /// The largest difference of the root coherence at any frequency and pair of points: an upper
+  /// bound, from the eigenvalues; at most kCoherenceTolerance.
+  double coherence_error = 0.0;
+  double frequency_hz = 0.0;  // where
 };
 
-struct KaimalFieldParams {
-  KaimalModel model = iec_kaimal(3.056, 90.0);  // class A at 18 m/s
-  double mean_speed_mps = 18.0;                 // U at hub height
-  double hub_height_m = 90.0;                   // centre of the grid
-  double shear_exponent = 0.0;                  // U (z / z_hub)^exponent; IEC has 0.2
-  double width_m = 140.0;
-  double height_m = 140.0;
-  int ny = 27;
-  int nz = 27;
-  double dt_s = 0.1;
-  double duration_s = 660.0;  // the period: the field repeats after it
-  std::uint64_t seed = 1;
-  LateralCoherence lateral_coherence = LateralCoherence::kIndependent;
-  int threads = 2;  // changes the time taken, not one bit of the field
-};
-
-/// A periodic turbulent field with Kaimal spectra and exponential yz-coherence (methods sections
-/// 1 and 15): per point and component u(t) = sum over m = 1..nt/2 of Re{A_m exp(i 2 pi m t / T)}.
+/// Draws turbulence with Kaimal spectra and exponential coherence (methods sections 1, 3 and 15),
+/// one y-z plane over time after the other on its way from the rotor up-wind: per point and
+/// component u(t) = sum over m = 1..nt/2 of Re{A_m exp(i 2 pi m t / T)}, periodic.
 ///
 /// - A_m are complex normal over points with the model's root coherence, not random phases on
 ///   fixed moduli: variances scatter from seed to seed as they do in nature.
@@ -41,11 +29,51 @@ struct KaimalFieldParams {
 ///   closed form between 1/(2 T) and half a step above the Nyquist frequency, and a few percent
 ///   below sigma^2; nothing is rescaled. Frequency zero is the mean profile.
 /// - u, v and w are independent of each other.
-/// - The same parameters and seed give the same field, to the last bit on one machine.
+/// - Evolution: planes at distances d have A_(p+1) = rho A_p + sqrt(1 - rho^2) A' (each has the
+///   statistics of the first, any two of them the product of the coherences across and along the
+///   wind), with rho the root coherence over d_(p+1) - d_p. It is the same for u, v and w: v and w
+///   of one (y, z) are connected along the wind in both lateral conventions.
+/// - The same parameters and seed give the same field, to the last bit on one machine. Numbers are
+///   drawn per plane, component and frequency.
 ///
-/// Cost: 2-D transforms per frequency and transforms in time; a period nt with prime factors above
-/// 5 is slower. Peak memory: the field (12 bytes per point and step) plus a third of it.
-/// Throws lac::Error on parameters out of range, or if the coherence cannot be factored.
+/// Cost: 2-D transforms per frequency of 1.3 to 15 times the points (most 1.3 to 2.3 times), and
+/// transforms in time; a period nt with prime factors above 5 is slower. Peak memory: the plane
+/// handed out (12 bytes per point and step; it is transformed in place) and, with evolution, as
+/// much for the amplitudes, whatever the number of planes.
+class KaimalPlanes {
+ public:
+  /// Throws lac::Error on parameters out of range.
+  explicit KaimalPlanes(const KaimalFieldParams& params);
+
+  /// The field at this distance up-wind [m]: the first at 0, then rising. Throws lac::Error if not,
+  /// or if the coherence cannot be reached within kCoherenceTolerance.
+  GriddedWind next(double distance_m);
+  /// Back to the rotor, for a field of another seed.
+  void restart(std::uint64_t seed);
+
+  /// Of the planes handed out.
+  KaimalReport report() const;
+
+ private:
+  class RowWorker;
+
+  KaimalSource source_;
+  std::uint64_t seed_;
+  std::size_t planes_ = 0;                       // handed out
+  double distance_m_ = 0.0;                      // of the last one
+  double lead_m_ = 0.0;                          // from it to the one in work
+  std::vector<std::complex<float>> amplitudes_;  // of the last plane, [m - 1][component][z][y]
+  std::vector<double> coherence_error_;          // [m - 1]
+};
+
+/// The rotor plane alone: frozen turbulence.
 GriddedWind make_kaimal_field(const KaimalFieldParams& params);
+
+/// All planes of a layout at once, thinned to what is demanded (nullptr: whole): the numbers that
+/// KaimalPlanes gives, drawn for one frequency in all planes before the next one, so that no
+/// amplitudes are kept. Peak memory: what is returned. Planes behind the last one of which
+/// something is demanded are not drawn. Throws lac::Error on parameters out of range.
+EvolvingGrids draw_evolving_kaimal(const KaimalFieldParams& params, const PlaneLayout& layout,
+                                   const WindDemand* demand = nullptr);
 
 }  // namespace lac::sim

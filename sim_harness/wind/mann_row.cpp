@@ -9,28 +9,24 @@ namespace {
 
 constexpr float kSingular = 1e-7F;  // of the energy of a cell: rounding, not variance
 
-/// Lower triangular C of one cell, C C^T its tensor. An incompressible tensor is singular, so
-/// pivots may be rounding alone: they are left out.
-struct Factor {
-  float uu, vu, vv, wu, wv, ww;
-
-  Factor(const float* tensor, std::size_t stride) {
-    const float tuu = tensor[kUu * stride], tvv = tensor[kVv * stride], tww = tensor[kWw * stride];
-    const float tuv = tensor[kUv * stride], tuw = tensor[kUw * stride], tvw = tensor[kVw * stride];
-    const float least = kSingular * (tuu + tvv + tww);
-    uu = tuu > least ? std::sqrt(tuu) : 0.0F;
-    const float inverse_uu = tuu > least ? 1.0F / uu : 0.0F;
-    vu = tuv * inverse_uu;
-    wu = tuw * inverse_uu;
-    const float rest_v = tvv - vu * vu;
-    vv = rest_v > least ? std::sqrt(rest_v) : 0.0F;
-    wv = rest_v > least ? (tvw - vu * wu) / vv : 0.0F;
-    const float rest_w = tww - wu * wu - wv * wv;
-    ww = rest_w > least ? std::sqrt(rest_w) : 0.0F;
-  }
-};
-
 }  // namespace
+
+MannRow::Factor MannRow::factor(const float* tensor, std::size_t stride) {
+  const float tuu = tensor[kUu * stride], tvv = tensor[kVv * stride], tww = tensor[kWw * stride];
+  const float tuv = tensor[kUv * stride], tuw = tensor[kUw * stride], tvw = tensor[kVw * stride];
+  const float least = kSingular * (tuu + tvv + tww);
+  Factor f;
+  f.uu = tuu > least ? std::sqrt(tuu) : 0.0F;
+  const float inverse_uu = tuu > least ? 1.0F / f.uu : 0.0F;
+  f.vu = tuv * inverse_uu;
+  f.wu = tuw * inverse_uu;
+  const float rest_v = tvv - f.vu * f.vu;
+  f.vv = rest_v > least ? std::sqrt(rest_v) : 0.0F;
+  f.wv = rest_v > least ? (tvw - f.vu * f.wu) / f.vv : 0.0F;
+  const float rest_w = tww - f.wu * f.wu - f.wv * f.wv;
+  f.ww = rest_w > least ? std::sqrt(rest_w) : 0.0F;
+  return f;
+}
 
 MannRow::MannRow(const MannBox& box)
     : box_(box),
@@ -38,12 +34,15 @@ MannRow::MannRow(const MannBox& box)
       nz_(box.spec().nz),
       points_(static_cast<std::size_t>(ny_) * nz_),
       values_(box.quantities() * box.cells()),
+      factors_(box.cells()),
       field_(noise_size()),
       line_(std::max(ny_, nz_)),
       column_(nz_) {}
 
 void MannRow::select(double k1_radpm) {
   box_.row(k1_radpm, values_);
+  for (std::size_t cell = 0; cell < factors_.size(); ++cell)
+    factors_[cell] = factor(values_.data() + cell, box_.cells());
 }
 
 void MannRow::draw(ComplexNormal& normal, std::span<Complex> noise) {
@@ -76,14 +75,13 @@ void MannRow::colour(std::span<const Complex> noise) {
   for (int j3 = 0; j3 < nz_; ++j3) {
     const std::size_t first = static_cast<std::size_t>(j3) * ny_;
     for (int j2 = 0; j2 <= ny_ / 2; ++j2, ++cell) {
-      const Factor factor(values_.data() + cell, box_.cells());
-      put(factor, 1.0F, first + j2);
-      if (j2 != 0 && 2 * j2 != ny_) put(factor, -1.0F, first + ny_ - j2);
+      put(factors_[cell], 1.0F, first + j2);
+      if (j2 != 0 && 2 * j2 != ny_) put(factors_[cell], -1.0F, first + ny_ - j2);
     }
   }
 }
 
-std::span<const MannRow::Complex> MannRow::transform(int component, int ny, int nz) {
+std::span<const MannRow::Complex> MannRow::transform(int component, int ny, int nz, float scale) {
   Complex* field = field_.data() + component * points_;
   for (int j3 = 0; j3 < nz_; ++j3) {
     fft_.fwd(line_.data(), field + j3 * ny_, ny_);
@@ -93,7 +91,7 @@ std::span<const MannRow::Complex> MannRow::transform(int component, int ny, int 
   for (int iy = 0; iy < ny; ++iy) {
     for (int j3 = 0; j3 < nz_; ++j3) column_[j3] = field[j3 * ny_ + iy];
     fft_.fwd(line_.data(), column_.data(), nz_);
-    for (int iz = 0; iz < nz; ++iz) plane_[iz * ny + iy] = line_[iz];
+    for (int iz = 0; iz < nz; ++iz) plane_[iz * ny + iy] = scale * line_[iz];
   }
   return plane_;
 }

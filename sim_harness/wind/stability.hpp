@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/kaimal.hpp"
+#include "sim_harness/wind/kaimal_evolution.hpp"
 #include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
@@ -11,12 +12,6 @@ enum class Stability { kUnstable, kNeutral, kStable };
 
 /// GUO scale every class to one turbulence intensity: sigma_u at 16 m/s in IEC class 1A.
 inline constexpr double kStabilitySigmaU_mps = 2.82;
-
-/// Longitudinal coherence, squared: gamma_x^2 = exp(-decay dx sqrt((f/U)^2 + offset^2)) (GUO 18).
-struct ExponentialEvolution {
-  double decay = 0.0;         // a_x [-]
-  double offset_per_m = 0.0;  // b_x
-};
 
 /// Table 1 and the evolution used with it (600, 400, 200 s). sigma_u of these numbers is 2.75,
 /// 2.77, 2.81 m/s; see scaled_to_sigma_u(). b1 of the stable class is -0.8: not printed, but the

@@ -44,31 +44,35 @@ void require_room(double low, double high, const char* name) {
 
 }  // namespace
 
-TurnedWind::TurnedWind(std::unique_ptr<const WindField> field, double hub_height_m,
-                       const FlowDirection& direction)
-    : field_(std::move(field)), hub_height_m_(hub_height_m) {
+WindAxes::WindAxes(double hub_height_m, const FlowDirection& direction)
+    : hub_height_m_(hub_height_m) {
   check(direction);
   const Rotation turn =
       rotation_from_roll_pitch_yaw(0.0, -direction.upflow_rad, -direction.yaw_rad);
-  axis_x_I_ = turn * Vec3{1.0, 0.0, 0.0};
-  axis_y_I_ = turn * Vec3{0.0, 1.0, 0.0};
-  axis_z_I_ = turn * Vec3{0.0, 0.0, 1.0};
+  x_I_ = turn * Vec3{1.0, 0.0, 0.0};
+  y_I_ = turn * Vec3{0.0, 1.0, 0.0};
+  z_I_ = turn * Vec3{0.0, 0.0, 1.0};
+}
+
+TurnedWind::TurnedWind(std::unique_ptr<const WindField> field, double hub_height_m,
+                       const FlowDirection& direction)
+    : field_(std::move(field)), axes_(hub_height_m, direction) {
   set_extent(direction.reach_m);
 }
 
 void TurnedWind::set_extent(double reach_m) {
   WindExtent e = field_->extent();
-  narrow(e.y_min_m, e.y_max_m, product(axis_y_I_.x, reach_m), axis_y_I_.y, 0.0);
+  narrow(e.y_min_m, e.y_max_m, product(axes_.y_I().x, reach_m), axes_.y_I().y, 0.0);
   require_room(e.y_min_m, e.y_max_m, "width left [m]");
   const double y_m = std::isfinite(e.y_max_m) ? greatest(e.y_min_m, e.y_max_m) : reach_m;
-  narrow(e.z_min_m, e.z_max_m, product(axis_z_I_.x, reach_m) + product(axis_z_I_.y, y_m),
-         axis_z_I_.z, hub_height_m_);
+  narrow(e.z_min_m, e.z_max_m, product(axes_.z_I().x, reach_m) + product(axes_.z_I().y, y_m),
+         axes_.z_I().z, axes_.hub_height_m());
   require_room(e.z_min_m, e.z_max_m, "height left [m]");
   if (std::isfinite(e.t_min_s) || std::isfinite(e.t_max_s)) {
-    const double z_m = greatest(e.z_min_m - hub_height_m_, e.z_max_m - hub_height_m_);
+    const double z_m = greatest(e.z_min_m - axes_.hub_height_m(), e.z_max_m - axes_.hub_height_m());
     const double along = field_->mean_speed_mps();
-    const double lag_s = reach_m * (1.0 / mean_speed_mps() - axis_x_I_.x / along) +
-                         (product(axis_x_I_.y, y_m) + product(axis_x_I_.z, z_m)) / along;
+    const double lag_s = reach_m * (1.0 / mean_speed_mps() - axes_.x_I().x / along) +
+                         (product(axes_.x_I().y, y_m) + product(axes_.x_I().z, z_m)) / along;
     if (std::isfinite(e.t_min_s)) delay_s_ = lag_s;
     e.t_max_s -= lag_s + delay_s_;
     require_room(e.t_min_s, e.t_max_s, "time left [s]");
@@ -77,11 +81,7 @@ void TurnedWind::set_extent(double reach_m) {
 }
 
 Vec3 TurnedWind::velocity(const Vec3& position_I_m, double time_s) const {
-  const Vec3 from_hub = position_I_m - Vec3{0.0, 0.0, hub_height_m_};
-  const Vec3 position_W_m{dot(axis_x_I_, from_hub), dot(axis_y_I_, from_hub),
-                          dot(axis_z_I_, from_hub) + hub_height_m_};
-  const Vec3 v = field_->velocity(position_W_m, time_s + delay_s_);
-  return v.x * axis_x_I_ + v.y * axis_y_I_ + v.z * axis_z_I_;
+  return axes_.turned(field_->velocity(axes_.place_in_field(position_I_m), time_s + delay_s_));
 }
 
 std::vector<DiskPoint> TurnedWind::disk_points(double hub_height_m, double radius_m) const {

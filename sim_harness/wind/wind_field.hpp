@@ -60,6 +60,9 @@ class WindField {
 
   virtual double mean_speed_mps() const = 0;
   virtual WindExtent extent() const { return {}; }
+  /// False for a place inside extent() that the field has not kept (a field thinned to a
+  /// WindDemand): velocity() would throw.
+  virtual bool holds(const Vec3& /*position_I_m*/) const { return true; }
 
   /// Latest time of arrival at the rotor plane; infinity where the field never ends. A lidar at
   /// up-wind distance d needs the simulation to end at time_end_s() - d / U or before.

@@ -91,7 +91,7 @@ TEST_F(MannCaseTest, Fields) {
   EXPECT_NE(dynamic_cast<const GriddedWind*>(one.get()), nullptr);
   const WindCase evolving = read(std::string(kSmall) + "evolution: {planes_m: [60]}\n");
   const auto two = make_wind(evolving);
-  EXPECT_EQ(dynamic_cast<const EvolvingWind&>(*two).planes().size(), 2U);
+  EXPECT_EQ(dynamic_cast<const EvolvingWind&>(*two).layout().size(), 2U);
   const Vec3 rotor{0.0, 0.0, 55.0}, ahead{-64.0, 0.0, 55.0};  // on the grid
   EXPECT_EQ(two->velocity(rotor, 9.0), one->velocity(rotor, 9.0));
   EXPECT_NE(two->velocity(ahead, 5.0), two->velocity(rotor, 9.0));

@@ -47,6 +47,30 @@ TEST(FlowShape, ScalesFluctuations) {
   EXPECT_NEAR(grid.at(3, 0, 1, 2), 0.2, 1e-6);
 }
 
+// A thinned field becomes what the whole one does, here with one column, of v 0.5 on average, of
+// the upper height: v is all mean there and stays; u, shear and veer are as in the whole field.
+TEST(FlowShape, ThinnedField) {
+  std::vector<bool> kept(6, true);
+  kept[5] = false;
+  const FlowShape shape{.fluctuation_scale = {2.0, 0.5, 3.0}, .shear_exponent = 0.2};
+  VelocityGrid whole = field();
+  ThinnedGrid thinned(whole, GridColumns(kept));
+  apply(shape, whole);
+  apply(shape, thinned);
+  for (int point = 0; point < 5; ++point) {
+    for (int it = 0; it < 4; ++it) {
+      const float* v = &thinned.column(point)[3 * it];
+      EXPECT_NEAR(v[0], whole.at(it, point / 2, point % 2, 0), 1e-5);
+      EXPECT_NEAR(v[1], point == 4 ? 0.5 : whole.at(it, point / 2, point % 2, 1), 1e-6);
+    }
+  }
+  VelocityGrid veered = field();
+  ThinnedGrid veered_too(veered, GridColumns(kept));
+  apply({.veer_radpm = 0.01}, veered);
+  apply({.veer_radpm = 0.01}, veered_too);
+  EXPECT_EQ(veered_too.column(4)[3], veered.at(1, 2, 0, 0));
+}
+
 // The power law by hand with exponent 0.2: 10 (0.5^0.2 - 1) = -1.29449 and 10 (1.5^0.2 - 1) =
 // 0.84472 m/s at the borders, nothing at the hub.
 TEST(FlowShape, AddsShear) {

@@ -70,7 +70,7 @@ const std::vector<Pair> kThreeSeparations{{0, 0, 1, 0}, {0, 0, 0, 2}, {0, 0, 3, 
 // Root coherence of u at 24, 36 and 90 m: 0.52, 0.38, 0.12 in theory (gamma squared: 0.29, 0.17,
 // 0.03), over 150 seeds and 8 frequencies (4 standard errors: 0.08); v and w without any by the
 // text of IEC; u, v and w of one point independent.
-TEST(KaimalField, CoherenceCholesky) {
+TEST(KaimalField, CoherenceOfU) {
   std::vector<Pair> pairs = kThreeSeparations;
   pairs.insert(pairs.end(), {{1, 1, 1, 0}, {2, 2, 0, 1}, {0, 1, 0, 0}, {0, 2, 0, 0}});
   expect_coherences(small_field(5, LateralCoherence::kIndependent), pairs);
@@ -82,14 +82,14 @@ TEST(KaimalField, CoherenceOfTheSameKindForAll) {
                     {{1, 1, 1, 0}, {1, 1, 3, 3}, {2, 2, 0, 1}, {2, 2, 3, 3}, {1, 2, 0, 0}});
 }
 
-// Root coherence where all of the band is drawn by embedding (a decay that makes it exact there):
-// 0.17, 0.26, 0.11 in theory, gamma squared 0.04, 0.08, 0.02.
-TEST(KaimalField, CoherenceEmbedding) {
+// Root coherence where all of the band goes the shortest way round the torus (a decay that makes it
+// exact there): 0.17, 0.26, 0.11 in theory, gamma squared 0.04, 0.08, 0.02.
+TEST(KaimalField, CoherenceTheShortestWay) {
   KaimalFieldParams p = small_field(9, LateralCoherence::kIndependent);
   p.model.coherence_decay = 60.0;
   p.model.coherence_length_m = 100.0;
-  EmbeddingSampler embedding({9, 9, 12.0, 9.0}, 1);
-  ASSERT_TRUE(embedding.prepare(p.model.coherence_rate(kBand.first / 128.0, 18.0)));
+  ShortestWaySampler sampler({9, 9, 12.0, 9.0}, 1.0);
+  ASSERT_EQ(sampler.prepare(p.model.coherence_rate(kBand.first / 128.0, 18.0)), 0.0);
   expect_coherences(p, {{0, 0, 1, 0}, {0, 0, 0, 1}, {0, 0, 1, 1}});
 }
 

@@ -171,6 +171,25 @@ TEST(KaimalField, NoTurbulenceAtFrequencyZero) {
   }
 }
 
+// What the field says about its coherence: within single precision, at one of its frequencies.
+TEST(KaimalField, ReportsItsCoherenceError) {
+  KaimalPlanes planes(small_field(9, LateralCoherence::kIndependent));
+  planes.next(0.0);
+  EXPECT_LE(planes.report().coherence_error, 1e-7);
+  EXPECT_GT(planes.report().coherence_error, 0.0);
+  EXPECT_GE(planes.report().frequency_hz, 1.0 / 128.0);
+  EXPECT_LE(planes.report().frequency_hz, 1.0);
+}
+
+// Points that do all the same, nearly: a coherence of one is drawn, not refused.
+TEST(KaimalField, NearlyFullCoherence) {
+  KaimalFieldParams p = small_field(5, LateralCoherence::kIndependent);
+  p.model.coherence_decay = 1e-12;
+  const GriddedWind wind = make_kaimal_field(p);
+  for (const int it : {0, 17, 255})
+    EXPECT_NEAR(wind.grid().at(it, 0, 0, 0), wind.grid().at(it, 4, 4, 0), 1e-4);
+}
+
 void expect_refused(const KaimalFieldParams& params, const char* text) {
   try {
     make_kaimal_field(params);
@@ -199,9 +218,28 @@ TEST(KaimalField, RefusesBadParameters) {
   p.model.v.sigma_mps = std::nan("");
   expect_refused(p, "sigma_v = nan");
   p = good;
-  p.model.coherence_decay = 1e-300;
-  p.threads = 2;
-  expect_refused(p, "coherence rate");
+  p.model.coherence_decay = 0.0;
+  expect_refused(p, "coherence_decay = 0");
+  p = good;
+  p.model.coherence_length_m = -340.2;
+  expect_refused(p, "coherence_length_m = -340.2");
+  p = good;
+  p.model.u.length_scale_m = 0.0;
+  expect_refused(p, "length scale of u = 0");
+  p = good;
+  p.threads = 0;
+  expect_refused(p, "threads = 0");
+  p = good;
+  p.duration_s = 3.0;
+  expect_refused(p, "duration_s / dt_s = 6");
+  p = good;
+  p.width_m = 1e-4;
+  expect_refused(p, "a grid less elongated");
+  p.width_m = 0.01;
+  p.ny = 30;
+  p.nz = 1000;
+  p.duration_s = 8.0;
+  expect_refused(p, "points of the torus of the coherence");
 }
 
 }  // namespace

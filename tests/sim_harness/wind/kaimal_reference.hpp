@@ -13,8 +13,7 @@ namespace lac::sim {
 
 using Complex = std::complex<double>;
 
-/// n x n points on 96 x 72 m, 128 s at 2 Hz. 5 x 5 is drawn with Cholesky factors throughout, 9 x 9
-/// by embedding wherever that is exact (about 0.1 Hz and above), with Cholesky below.
+/// n x n points on 96 x 72 m, 128 s at 2 Hz.
 inline KaimalFieldParams small_field(int n, LateralCoherence lateral) {
   KaimalFieldParams params;
   params.ny = params.nz = n;

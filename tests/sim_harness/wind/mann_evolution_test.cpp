@@ -2,6 +2,7 @@
 // Planes of evolving Mann turbulence against the space-time tensor, over seeds which are fixed.
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "tests/sim_harness/wind/mann_reference.hpp"
 
 namespace lac::sim {
@@ -27,9 +28,56 @@ TEST(MannEvolution, SpaceTimeTensor) {
 
 // Frozen turbulence is the same in every plane.
 TEST(MannEvolution, FrozenPlanes) {
-  const EvolvingWind wind = make_evolving_mann_field(small_box(), std::vector{80.0});
-  EXPECT_TRUE(std::ranges::equal(wind.planes()[0].wind.grid().plane(9),
-                                 wind.planes()[1].wind.grid().plane(9)));
+  MannPlanes planes(small_box());
+  const GriddedWind rotor = planes.next(0.0), upwind = planes.next(80.0);
+  EXPECT_TRUE(std::ranges::equal(rotor.grid().plane(9), upwind.grid().plane(9)));
+}
+
+MannFieldParams evolving_box() {
+  MannFieldParams p = small_box();
+  p.model.evolution_s = 200.0;
+  return p;
+}
+
+/// Whether the planes are those that MannPlanes gives, to the last bit, where they were kept.
+bool same_as_one_by_one(const EvolvingGrids& grids) {
+  MannPlanes planes(evolving_box());
+  const VelocityGrid rotor = planes.next(0.0).take_grid();
+  bool same = true;
+  for (int it = 0; it < rotor.spec().nt; ++it)
+    same = same && std::ranges::equal(rotor.plane(it), grids.rotor.plane(it));
+  for (std::size_t i = 0; i < grids.upwind.size(); ++i) {
+    const ThinnedGrid& found = grids.upwind[i];
+    const VelocityGrid whole = planes.next(grids.layout.distance_m(i + 1)).take_grid();
+    const ThinnedGrid expected(whole, found.columns());
+    for (std::size_t c = 0; c < found.columns().count(); ++c)
+      same = same && std::ranges::equal(found.column(c), expected.column(c));
+  }
+  return same;
+}
+
+// All planes at once are those drawn one by one, whole and thinned, on any number of threads; a
+// plane of which nothing is wanted does not change those behind it.
+TEST(MannEvolution, AllAtOnceAsOneByOne) {
+  const PlaneLayout layout({50.0, 100.0, 170.0});
+  const WindDemand demand{{}, {{-52.0, 3.0, 95.0}, {-180.0, -14.0, 84.0}}, 1.0};
+  MannFieldParams p = evolving_box();
+  for (const int threads : {1, 3}) {
+    p.threads = threads;
+    EXPECT_TRUE(same_as_one_by_one(draw_evolving_mann(p, layout)));
+    const EvolvingGrids thinned = draw_evolving_mann(p, layout, &demand);
+    EXPECT_EQ(thinned.upwind[0].columns().count(), 4U);
+    EXPECT_EQ(thinned.upwind[1].columns().count(), 0U);
+    EXPECT_EQ(thinned.upwind[2].columns().count(), 4U);
+    EXPECT_TRUE(same_as_one_by_one(thinned));
+  }
+  p.seed = 2;
+  EXPECT_FALSE(same_as_one_by_one(draw_evolving_mann(p, layout)));
+}
+
+// Planes of a model that does not evolve are refused.
+TEST(MannEvolution, RefusesFrozenTurbulence) {
+  EXPECT_THROW(draw_evolving_mann(small_box(), PlaneLayout({50.0})), Error);
 }
 
 }  // namespace

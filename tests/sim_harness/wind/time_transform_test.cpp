@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "core/units.hpp"
@@ -44,6 +46,37 @@ TEST(TimeTransform, AmplitudesBecomeWaves) {
         }
       }
     }
+  }
+}
+
+/// Random amplitudes of all harmonics and a mean profile.
+template <class Grid>
+void fill(Grid& grid) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  std::vector<std::complex<float>> amplitudes(grid.spec().plane_points());
+  for (int m = 1; m <= grid.spec().nt / 2; ++m) {
+    for (int c = 0; c < 3; ++c) {
+      for (auto& a : amplitudes) a = {normal(random), normal(random)};
+      put_amplitudes(amplitudes, c, m, grid);
+    }
+  }
+  amplitudes_to_series(grid, std::vector<float>{1, 2, 3, 4, 5, 6, 7}, 2);
+}
+
+// Columns of a thinned grid become those of the whole grid, to the last bit.
+TEST(TimeTransform, ThinnedAsWhole) {
+  std::vector<bool> kept(35);
+  for (const int point : {0, 7, 8, 34}) kept[point] = true;
+  for (const int nt : {48, 45}) {
+    VelocityGrid whole = grid_of(nt);
+    fill(whole);
+    const ThinnedGrid expected(whole, GridColumns(kept));
+    ThinnedGrid found(whole.spec(), GridColumns(kept));
+    fill(found);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_TRUE(std::ranges::equal(found.column(i), expected.column(i))) << nt << ' ' << i;
+    EXPECT_NE(found.column(3)[5], 0.0F);
   }
 }
 
