@@ -1,71 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/lidar/lidar_params.hpp"
 
+#include <algorithm>
 #include <sstream>
-#include <string>
 
-#include "core/swap_layout.hpp"
-#include "core/units.hpp"
+#include "sim_harness/lidar/beam_table.hpp"
 
 namespace lac::sim {
 namespace {
 
-constexpr double kSteepest_deg = 80.0;
-
-std::vector<LidarBeam> read_beams(YamlReader& in) {
-  const Range angle = Range::between(-kSteepest_deg, kSteepest_deg);
-  const std::vector<double> azimuth_deg = in.numbers("beam_azimuth_deg", angle);
-  const std::vector<double> elevation_deg = in.numbers("beam_elevation_deg", angle);
-  if (azimuth_deg.size() != elevation_deg.size()) {
-    in.fail("beam_elevation_deg", "found " + std::to_string(elevation_deg.size()) +
-                                      " values, expected " + std::to_string(azimuth_deg.size()) +
-                                      ", one per value of beam_azimuth_deg");
-  }
-  std::vector<LidarBeam> beams;
-  for (std::size_t i = 0; i < azimuth_deg.size(); ++i) {
-    beams.push_back({rad_from_deg(azimuth_deg[i]), rad_from_deg(elevation_deg[i])});
-  }
-  return beams;
-}
-
-std::vector<double> read_gates(YamlReader& in) {
-  std::vector<double> gates_m = in.numbers("gates_m", Range::positive());
-  for (std::size_t i = 1; i < gates_m.size(); ++i) {
-    if (gates_m[i] <= gates_m[i - 1]) in.fail("gates_m", "expected distances that rise");
-  }
-  if (gates_m.size() > native_lidar::kMaxGates) {
-    in.fail("gates_m", "found " + std::to_string(gates_m.size()) + " gates, expected at most " +
-                           std::to_string(native_lidar::kMaxGates));
-  }
-  return gates_m;
-}
-
-RangeWeighting read_weighting(YamlReader& in) {
-  RangeWeighting w;
-  w.fwhm_m = in.number("fwhm_m", Range::not_negative());
-  w.points = in.integer("weighting_points", w.points, Range::between(5, 101));
-  if (w.points % 2 == 0) in.fail("weighting_points", "expected an odd number");
-  return w;
-}
-
-Vec3 read_offset(YamlReader& in) {
-  if (!in.has("offset_m")) return {};
-  const std::vector<double> xyz = in.numbers("offset_m");
-  if (xyz.size() != 3) in.fail("offset_m", "expected three numbers: x, y, z");
-  return {xyz[0], xyz[1], xyz[2]};
+const char* name_of(const RangeWeighting& w) {
+  if (w.is_point()) return ", points";
+  if (w.kind == ProbeKind::kLorentzian) return ", continuous wave";
+  return "";
 }
 
 }  // namespace
 
 LidarParams read_lidar(YamlReader& in) {
   LidarParams p;
-  p.beams = read_beams(in);
-  p.gates_m = read_gates(in);
+  p.scan = read_scan_pattern(in);
+  const auto& beams = p.scan.beams;
+  const bool all_have_gates = std::all_of(
+      beams.begin(), beams.end(), [](const LidarBeam& beam) { return !beam.gates_m.empty(); });
+  if (!all_have_gates || in.has("gates_m")) p.gates_m = read_gates(in);
   p.gates_along_beam = in.choice("gates_along", {"beam", "axis"}) == 0;
-  p.beam_time_s = in.number("beam_time_s", Range::positive());
-  p.weighting = read_weighting(in);
-  p.offset_m = read_offset(in);
-  p.tilt_rad = rad_from_deg(in.number("tilt_deg", 0.0, Range::between(-45.0, 45.0)));
+  p.weighting = read_range_weighting(in);
+  p.mounting = read_mounting(in);
   return p;
 }
 
@@ -77,10 +38,29 @@ LidarParams load_lidar(const std::filesystem::path& file) {
 }
 
 std::string describe(const LidarParams& lidar) {
+  std::size_t most = 0;
+  double nearest_m = std::numeric_limits<double>::infinity(), farthest_m = 0.0;
+  for (const LidarBeam& beam : lidar.scan.beams) {
+    const std::vector<double>& gates_m = beam.gates_m.empty() ? lidar.gates_m : beam.gates_m;
+    most = std::max(most, gates_m.size());
+    nearest_m = std::min(nearest_m, gates_m.front());
+    farthest_m = std::max(farthest_m, gates_m.back());
+  }
   std::ostringstream out;
-  out << lidar.beams.size() << " beams, " << lidar.gates_m.size() << " gates from "
-      << lidar.gates_m.front() << " to " << lidar.gates_m.back() << " m, scan "
-      << lidar.scan_time_s() << " s";
+  const auto counted = [&](std::size_t n, const char* what) {
+    out << n << ' ' << what << (n == 1 ? "" : "s");
+  };
+  counted(lidar.scan.beams.size(), "beam");
+  out << (lidar.scan.simultaneous ? " at once, " : ", ");
+  counted(most, "gate");
+  if (nearest_m < farthest_m) {
+    out << " from " << nearest_m << " to " << farthest_m << " m";
+  } else {
+    out << " at " << farthest_m << " m";
+  }
+  out << name_of(lidar.weighting) << ", scan " << lidar.scan.scan_time_s() << " s";
+  if (lidar.mounting.place == MountingPlace::kSpinner) out << ", on the spinner";
+  if (!lidar.platform.is_still()) out << ", on a moving platform";
   return out.str();
 }
 

@@ -5,38 +5,26 @@
 #include <string>
 #include <vector>
 
-#include "core/vec3.hpp"
 #include "sim_harness/config/yaml_reader.hpp"
+#include "sim_harness/lidar/mounting.hpp"
+#include "sim_harness/lidar/platform_motion.hpp"
+#include "sim_harness/lidar/range_weighting.hpp"
+#include "sim_harness/lidar/scan_pattern.hpp"
 
 namespace lac::sim {
 
-/// Direction in the lidar's own frame L (core/lidar_block.hpp, beam_direction).
-struct LidarBeam {
-  double azimuth_rad = 0.0;    // about z, positive to the left of the viewing direction
-  double elevation_rad = 0.0;  // positive upwards
-};
-
-/// What one range gate sees along its beam.
-struct RangeWeighting {
-  double fwhm_m = 30.0;  // full width at half maximum of the Gaussian; 0: the point itself
-  int points = 9;        // of the quadrature over -3 ... +3 standard deviations
-};
-
-/// A pulsed lidar on the nacelle, looking up-wind.
+/// A lidar on nacelle or spinner, looking up-wind.
 struct LidarParams {
-  std::vector<LidarBeam> beams;  // in the order in which they are taken
-  std::vector<double> gates_m;   // distance of the gate centres, rising
+  ScanPattern scan;
+  std::vector<double> gates_m;   // distance of the gate centres or foci, rising
   bool gates_along_beam = true;  // else the distances are along the viewing axis of the lidar
-  double beam_time_s = 0.25;     // one beam after the other, each this long
   RangeWeighting weighting;
-  Vec3 offset_m;          // of the lidar from the rotor centre, x down-wind
-  double tilt_rad = 0.0;  // of the viewing axis, positive looks down
-
-  double scan_time_s() const { return beam_time_s * static_cast<double>(beams.size()); }
+  MountingParams mounting;
+  PlatformMotion platform;  // of the case, not of the lidar's file
 };
 
-/// Keys: beam_azimuth_deg, beam_elevation_deg, gates_m, gates_along (beam or axis), beam_time_s,
-/// fwhm_m and, with defaults, weighting_points, offset_m, tilt_deg. Throws lac::Error.
+/// Keys: gates_m (unless every beam has its own), gates_along (beam or axis) and those of
+/// read_scan_pattern, read_range_weighting, read_mounting. Throws lac::Error.
 LidarParams read_lidar(YamlReader& in);
 
 /// The same from a file of its own (config/lidars/).

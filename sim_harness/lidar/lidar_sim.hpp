@@ -6,16 +6,13 @@
 #include <vector>
 
 #include "core/lidar_block.hpp"
+#include "sim_harness/lidar/beam_extent.hpp"
+#include "sim_harness/lidar/beam_samples.hpp"
 #include "sim_harness/lidar/lidar_params.hpp"
+#include "sim_harness/lidar/scan_clock.hpp"
 #include "sim_harness/wind/wind_field.hpp"
 
 namespace lac::sim {
-
-/// Tower top along x (down-wind), what the lidar rides on.
-struct NacelleMotion {
-  double displacement_m = 0.0;
-  double velocity_mps = 0.0;
-};
 
 /// When and where a lidar measures; the surroundings it is set up in.
 struct LidarSetting {
@@ -24,54 +21,58 @@ struct LidarSetting {
   double end_time_s = 660.0;
 };
 
-/// Pulsed lidar on a nacelle with sequential scan.
+/// Doppler lidar on a turbine.
 ///
-///   v_los = sum_j w_j n . (V_lidar - U(x_lidar + r_j n, t)),  w_j ~ exp(-(r_j - r)^2/(2 sigma^2))
+///   v_los = sum_j w_j n . (V_lidar - U(x_lidar + r_j n, t)),  sum w_j = 1
 ///
-/// positive for wind blowing towards the lidar; sigma = FWHM/(2 sqrt(2 ln 2)), sum w_j = 1
-/// (methods section 4, GUO eq. 26). The points r_j within three sigma of a gate lie on one grid
-/// per beam, so that neighbouring gates share them. The field carries itself with Taylor's
+/// positive for wind blowing towards the lidar; points r_j and weights w_j as in
+/// beam_samples.hpp, V_lidar, x_lidar and n as in mounting.hpp. Position, velocity and attitude of
+/// a measurement are what a perfect inertial unit says. The field carries itself with Taylor's
 /// hypothesis.
 ///
-/// Time: measurement k = 0, 1, ... of beam k modulo the number of beams is completed at
-/// t_k = (k + 1) beam_time and is handed over in the first control step at or after t_k, in that
-/// step alone. Its wind is that at t_k (no averaging over the beam time), its nacelle motion that
-/// of the step. So beam times need not be multiples of the control step; they may not be shorter.
-/// The roll, pitch and yaw it reports are the constant (0, tilt, pi): the tower does not rotate.
+/// Time: a slot of the scan (one beam, or all at once) is completed at t_k (scan_clock.hpp). It is
+/// handed over in the first control step at or after t_k, beams of one slot in consecutive steps
+/// in their order, each with its true time t_k. Its wind is that at t_k, or with samples_per_beam
+/// the mean over the beam time, and so are position, velocity and attitude; what they depend on
+/// of the turbine is taken from the step that first reaches the time of the sample. So beam times
+/// need not be multiples of the control step; they may not be shorter.
 class LidarSim {
  public:
-  /// The field must outlive this object. Throws lac::Error if the beam time is shorter than the
-  /// control step, or if a beam leaves the extent of the field: which beam, gate, by how far.
+  /// The field must outlive this object. Throws lac::Error for a beam without gates or with more
+  /// than the lidar block carries, if the beam time is shorter than the control step, if beams
+  /// taken at once cannot be handed over within a scan, or for a beam that BeamExtent refuses.
   LidarSim(LidarParams params, const WindField& field, const LidarSetting& setting);
+  LidarSim(const LidarSim&) = delete;
+  LidarSim& operator=(const LidarSim&) = delete;
 
-  /// To be called for steps 0, 1, 2, ... True if a measurement was completed.
-  bool step(std::int64_t step, const NacelleMotion& motion, LidarMeasurement& measurement);
+  /// To be called for steps 0, 1, 2, ... True if it hands over a measurement. Allocates nothing;
+  /// throws lac::Error if motion takes a beam out of the field.
+  bool step(std::int64_t step, const TurbineState& turbine, LidarMeasurement& measurement);
+
+  const Mounting& mounting() const { return mounting_; }
 
  private:
-  /// One gate: which of the beam's points it sees, and how much of each.
-  struct Gate {
-    double range_m = 0.0;
-    std::size_t first_point = 0;
-    std::vector<double> weights;
-  };
-  struct Beam {
-    Vec3 dir_L;
-    Vec3 dir_I;
-    std::vector<double> points_m;  // ranges at which the wind is taken
-    std::vector<Gate> gates;
-  };
-
-  Beam make_beam(const LidarBeam& angles) const;
-  void add_gate(double range_m, Beam& beam) const;
-  void check_extent(const Beam& beam, std::size_t number) const;
-  void measure(double time_s, const NacelleMotion& motion, LidarMeasurement& m);
+  void check_timing() const;
+  void check_extent() const;
+  void advance_scan(double now_s, const TurbineState& turbine);
+  void sample_slot(double time_s, const TurbineState& turbine);
+  void sample_beam(std::size_t beam, const LidarPose& pose, double time_s);
+  void add_pose(const LidarPose& pose, LidarMeasurement& sum) const;
+  void complete_slot();
 
   LidarParams params_;
   const WindField& field_;
   LidarSetting setting_;
-  std::vector<Beam> beams_;
+  Mounting mounting_;
+  std::vector<BeamSamples> beams_;
+  BeamExtent extent_;
+  ScanClock clock_;
+  int samples_taken_ = 0;                // in the present slot
+  std::vector<LidarMeasurement> sums_;   // of the present slot, a place per beam of the lidar
+  std::vector<LidarMeasurement> ready_;  // completed
+  std::size_t first_ready_ = 0;          // not handed over yet: first_ready_ ... count_ready_ - 1
+  std::size_t count_ready_ = 0;
   std::vector<double> wind_along_mps_;  // n . U at the points of a beam
-  std::int64_t done_ = 0;               // measurements handed over
 };
 
 }  // namespace lac::sim

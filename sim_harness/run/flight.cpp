@@ -3,40 +3,16 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/units.hpp"
 #include "sim_harness/host/controller_host.hpp"
-#include "sim_harness/lidar/lidar_sim.hpp"
+#include "sim_harness/run/lidar_on_board.hpp"
 #include "sim_harness/turbine/simulated_turbine.hpp"
 
 namespace lac::sim {
 namespace {
 
 constexpr double kFullTurn_rad = 2.0 * kPi;
-
-/// The lidar of a case with its fault, or none.
-class LidarOnBoard {
- public:
-  LidarOnBoard(const Case& c, const WindField& wind) {
-    if (!c.lidar) return;
-    lidar_.emplace(c.lidar->params, wind,
-                   LidarSetting{c.turbine.hub_height_m, c.time.step_s, c.time.duration_s});
-    fault_.emplace(c.lidar->fault, static_cast<int>(c.lidar->params.beams.size()));
-  }
-
-  void sense(std::int64_t step, double time_s, const SlowOutputs& turbine, ControllerHost& host) {
-    if (!lidar_) return;
-    const NacelleMotion motion{turbine.tower_x_m, turbine.tower_v_mps};
-    const bool is_new = lidar_->step(step, motion, measurement_);
-    host.set_lidar(measurement_, fault_->apply(time_s, measurement_, is_new));
-  }
-
- private:
-  std::optional<LidarSim> lidar_;
-  std::optional<LidarFaultInjector> fault_;
-  LidarMeasurement measurement_;
-};
 
 HostSetup host_setup(const Case& c, const CaseController& controller, const OperatingPoint& start,
                      double mean_wind_mps, const std::filesystem::path& output_root) {
@@ -113,6 +89,18 @@ std::vector<TableChannel> flight_channels() {
           {"TwrBsMyt", "kNm"},       {"RotThrust", "kN"}};
 }
 
+TurbineState turbine_state(const SlowOutputs& o, const TurbineParams& t, double rotor_wind_mps,
+                           double azimuth_rad) {
+  const double wind_mps = rotor_wind_mps - o.tower_v_mps;
+  const double wind_force_N = t.rotor.disk_factor_kgpm() * wind_mps * wind_mps;
+  return {.tower_x_m = o.tower_x_m,
+          .tower_v_mps = o.tower_v_mps,
+          .azimuth_rad = azimuth_rad,
+          .rotor_speed_radps = o.rotor_speed_radps,
+          .pitch_rad = o.pitch_rad,
+          .thrust_coefficient = wind_mps > 0.0 ? o.thrust_N / wind_force_N : 0.0};
+}
+
 Recording fly(const Case& c, const CaseController& controller, const WindField& wind,
               const RotorWind& rotor_wind, const std::filesystem::path& output_root,
               const FlightReport& report) {
@@ -132,7 +120,7 @@ Recording fly(const Case& c, const CaseController& controller, const WindField& 
     const double time_s = static_cast<double>(n) * dt_s;
     const SlowOutputs now = turbine.outputs();
     const double hub_wind_mps = hub_wind_at(wind, c.turbine.hub_height_m, time_s);
-    lidar.sense(n, time_s, now, host);
+    lidar.sense(n, turbine_state(now, c.turbine, rews_mps, azimuth_rad), host);
 
     const HostDemands demands = host.call(measured(now, c.turbine, hub_wind_mps, azimuth_rad));
     record(now, demands, rews_mps, hub_wind_mps, recording);

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "sim_harness/lidar/turbine_state.hpp"
 #include "sim_harness/output/recording.hpp"
 #include "sim_harness/run/case_file.hpp"
+#include "sim_harness/turbine/slow_model.hpp"
 #include "sim_harness/wind/rotor_wind.hpp"
 
 namespace lac::sim {
@@ -22,6 +24,11 @@ struct FlightReport {
   std::function<void(double time_s, const std::string& text)> on_warning = [](double, const auto&) {
   };
 };
+
+/// What a lidar on board is told. The thrust coefficient is that of the wind that the rotor feels,
+/// F_a / (rho/2 pi R^2 (v - x'_T)^2); 0 where that wind blows from behind.
+TurbineState turbine_state(const SlowOutputs& outputs, const TurbineParams& turbine,
+                           double rotor_wind_mps, double azimuth_rad);
 
 /// Flies one controller of a case: sense, control, advance. Starts in the steady state at the
 /// wind of time 0; demands are held over each step, the wind is linear in it. output_root names

@@ -30,12 +30,12 @@ std::string error_of(const std::string& text) {
 // The shipped lidar is the one of the paper: four beams in a second, ten gates.
 TEST(LidarParamsTest, ShippedFourBeamLidar) {
   const LidarParams p = load_lidar(LAC_SOURCE_DIR "/config/lidars/four_beam_pulsed.yaml");
-  ASSERT_EQ(p.beams.size(), 4U);
-  EXPECT_DOUBLE_EQ(p.beams[2].azimuth_rad, rad_from_deg(-14.4));
-  EXPECT_DOUBLE_EQ(p.beams[3].elevation_rad, rad_from_deg(14.0));
+  ASSERT_EQ(p.scan.beams.size(), 4U);
+  EXPECT_DOUBLE_EQ(p.scan.beams[2].azimuth_rad, rad_from_deg(-14.4));
+  EXPECT_DOUBLE_EQ(p.scan.beams[3].elevation_rad, rad_from_deg(14.0));
   EXPECT_EQ(p.gates_m.size(), 10U);
   EXPECT_FALSE(p.gates_along_beam);
-  EXPECT_DOUBLE_EQ(p.scan_time_s(), 1.0);
+  EXPECT_DOUBLE_EQ(p.scan.scan_time_s(), 1.0);
   EXPECT_EQ(describe(p), "4 beams, 10 gates from 50 to 170 m, scan 1 s");
 }
 
@@ -50,8 +50,25 @@ TEST(LidarParamsTest, Defaults) {
   const LidarParams p = load_lidar(folder.write("lidar.yaml", kLidar));
   EXPECT_TRUE(p.gates_along_beam);
   EXPECT_EQ(p.weighting.points, 9);
-  EXPECT_EQ(p.tilt_rad, 0.0);
-  EXPECT_EQ(p.offset_m, (Vec3{}));
+  EXPECT_EQ(p.mounting.tilt_rad, 0.0);
+  EXPECT_EQ(p.mounting.offset_m, (Vec3{}));
+}
+
+// Beams that all have gates of their own need no others; a line for reports says what there is.
+TEST(LidarParamsTest, GatesOfTheBeams) {
+  const test::TempFolder folder;
+  const LidarParams p =
+      load_lidar(folder.write("lidar.yaml",
+                              "scan: table\n"
+                              "beams:\n"
+                              "  - {azimuth_deg: 10, elevation_deg: 0, gates_m: [60, 90]}\n"
+                              "  - {azimuth_deg: -10, elevation_deg: 0, gates_m: [50, 80, 110]}\n"
+                              "beam_time_s: 0.5\nbeams_taken: at_once\n"
+                              "gates_along: axis\nprobe: point\nmounted_on: spinner\n"));
+  EXPECT_TRUE(p.gates_m.empty());
+  EXPECT_EQ(describe(p),
+            "2 beams at once, 3 gates from 50 to 110 m, points, scan 0.5 s, on the "
+            "spinner");
 }
 
 // Lists that do not fit together, gates that do not rise, and a mistyped key.
@@ -70,6 +87,12 @@ TEST(LidarParamsTest, Faults) {
   EXPECT_THAT(with("fwhm_m", "fwmh_m"),
               HasSubstr("fwhm_m: the key is missing; is 'fwmh_m' meant to be it?"));
   EXPECT_THAT(with("[15, -15]", "[15, 85]"), HasSubstr("lidar.yaml:1: beam_azimuth_deg: found 85"));
+  std::string many = "[1";
+  for (int g = 2; g <= 51; ++g) many += ", " + std::to_string(g);
+  EXPECT_THAT(with("[50, 80]", many + "]"),
+              HasSubstr("lidar.yaml:3: gates_m: found 51 gates, expected at most 50, as the lidar "
+                        "block of the swap array carries"));
+  EXPECT_THAT(with("gates_m: [50, 80]\n", ""), HasSubstr("gates_m: the key is missing"));
   EXPECT_THAT(error_of(text + "weighting_points: 6\n"), HasSubstr("expected an odd number"));
   EXPECT_THAT(error_of(text + "tilt_dgr: 6\n"),
               HasSubstr("lidar.yaml:7: tilt_dgr: unknown key (did you mean 'tilt_deg'?)"));

@@ -9,26 +9,15 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "sim_harness/lidar/function_wind.hpp"
+#include "support/error_text.hpp"
+#include "support/no_alloc_guard.hpp"
 
 namespace lac::sim {
 namespace {
 
+using test::FunctionWind;
 using ::testing::HasSubstr;
-
-/// Any velocity as a function of place and time.
-class FunctionWind final : public WindField {
- public:
-  using Function = Vec3 (*)(const Vec3& position_I_m, double time_s);
-
-  explicit FunctionWind(Function f, WindExtent extent = {}) : f_(f), extent_(extent) {}
-  Vec3 velocity(const Vec3& p, double t) const override { return f_(p, t); }
-  double mean_speed_mps() const override { return 10.0; }
-  WindExtent extent() const override { return extent_; }
-
- private:
-  Function f_;
-  WindExtent extent_;
-};
 
 Vec3 oblique(const Vec3&, double) {
   return {12.0, 3.0, -1.5};
@@ -39,7 +28,7 @@ LidarParams four_beams() {
   LidarParams p;
   const double a = rad_from_deg(14.4);
   const double e = rad_from_deg(14.0);
-  p.beams = {{a, e}, {a, -e}, {-a, -e}, {-a, e}};
+  p.scan.beams = {{a, e, 0.0, {}}, {a, -e, 0.0, {}}, {-a, -e, 0.0, {}}, {-a, e, 0.0, {}}};
   p.gates_m = {50.0, 110.0, 170.0};
   p.gates_along_beam = false;
   return p;
@@ -47,17 +36,17 @@ LidarParams four_beams() {
 
 LidarParams one_beam(double range_m) {
   LidarParams p;
-  p.beams = {{}};
+  p.scan.beams = {{}};
   p.gates_m = {range_m};
   return p;
 }
 
 const LidarSetting kSetting{90.0, 0.0125, 60.0};
 
-LidarMeasurement first_measurement(LidarSim& lidar, const NacelleMotion& motion = {}) {
+LidarMeasurement first_measurement(LidarSim& lidar, const TurbineState& turbine = {}) {
   LidarMeasurement m;
   for (int n = 0; n < 1000; ++n) {
-    if (lidar.step(n, motion, m)) return m;
+    if (lidar.step(n, turbine, m)) return m;
   }
   ADD_FAILURE() << "no measurement";
   return m;
@@ -103,7 +92,7 @@ TEST(LidarSimTest, GatesAlongTheAxis) {
 TEST(LidarSimTest, Tilt) {
   const FunctionWind wind(oblique);
   LidarParams p = one_beam(100.0);
-  p.tilt_rad = rad_from_deg(5.0);
+  p.mounting.tilt_rad = rad_from_deg(5.0);
   LidarSim lidar(p, wind, kSetting);
   const LidarMeasurement m = first_measurement(lidar);
   EXPECT_NEAR(m.gates[0].speed_mps,
@@ -116,7 +105,7 @@ TEST(LidarSimTest, Tilt) {
 TEST(LidarSimTest, MovingNacelle) {
   const FunctionWind wind(oblique);
   LidarParams p = four_beams();
-  p.offset_m = {-1.0, 0.5, 3.0};
+  p.mounting.offset_m = {-1.0, 0.5, 3.0};
   LidarSim still(p, wind, kSetting);
   LidarSim moving(p, wind, kSetting);
   const LidarMeasurement a = first_measurement(still);
@@ -189,7 +178,7 @@ TEST(LidarSimTest, ScanSchedule) {
 TEST(LidarSimTest, BeamTimeNoMultipleOfTheStep) {
   const FunctionWind wind([](const Vec3&, double t) { return Vec3{t, 0.0, 0.0}; });
   LidarParams p = one_beam(50.0);
-  p.beam_time_s = 0.03;
+  p.scan.beam_time_s = 0.03;
   LidarSim lidar(p, wind, kSetting);
   LidarMeasurement m;
   std::vector<int> steps;
@@ -208,7 +197,7 @@ TEST(LidarSimTest, BeamTimeNoMultipleOfTheStep) {
 TEST(LidarSimTest, BeamTimeBelowTheStep) {
   const FunctionWind wind(oblique);
   LidarParams p = one_beam(50.0);
-  p.beam_time_s = 0.01;
+  p.scan.beam_time_s = 0.01;
   try {
     LidarSim lidar(p, wind, kSetting);
     FAIL();
@@ -256,6 +245,132 @@ TEST(LidarSimTest, FieldEndsTooEarly) {
   EXPECT_EQ(extent_error(one_beam(100.0), extent), "none");
   extent.t_max_s -= 0.5;
   EXPECT_THAT(extent_error(one_beam(100.0), extent), HasSubstr("s at the end"));
+}
+
+// Averaged over the beam time: of a wind that grows with time (u = t) the middle of the quarter of
+// a second, of a wave with that period nothing, and of the half wave of twice the period
+// 1/(8 sin(pi/16)) with eight samples (2/pi in the limit).
+TEST(LidarSimTest, MeanOverTheBeamTime) {
+  const FunctionWind ramp([](const Vec3&, double t) { return Vec3{t, 0.0, 0.0}; });
+  const FunctionWind wave([](const Vec3&, double t) {
+    return Vec3{std::cos(2.0 * kPi * t / 0.25), 0.0, 0.0};
+  });
+  const FunctionWind slow([](const Vec3&, double t) {
+    return Vec3{std::sin(2.0 * kPi * t / 0.5), 0.0, 0.0};
+  });
+  LidarParams p = one_beam(50.0);
+  p.scan.samples_per_beam = 8;
+  LidarSim on_ramp(p, ramp, kSetting), on_wave(p, wave, kSetting), on_slow(p, slow, kSetting);
+  EXPECT_NEAR(first_measurement(on_ramp).gates[0].speed_mps, 0.125, 1e-12);
+  EXPECT_NEAR(first_measurement(on_wave).gates[0].speed_mps, 0.0, 1e-12);
+  EXPECT_NEAR(first_measurement(on_slow).gates[0].speed_mps, 1.0 / (8.0 * std::sin(kPi / 16.0)),
+              1e-12);
+  EXPECT_DOUBLE_EQ(first_measurement(on_ramp).time_s, 0.5);
+}
+
+// Pauses between beams and after the scan: ends at 0.25, 0.6, 1.15, 1.5, ... s, each handed over in
+// the first step at or after it.
+TEST(LidarSimTest, Pauses) {
+  const FunctionWind wind(oblique);
+  LidarParams p = one_beam(50.0);
+  p.scan.beams = {{}, {}};
+  p.scan.beam_pause_s = 0.1;
+  p.scan.scan_pause_s = 0.3;
+  LidarSim lidar(p, wind, kSetting);
+  LidarMeasurement m;
+  std::vector<int> steps;
+  for (int n = 0; n <= 200; ++n) {
+    if (lidar.step(n, {}, m)) steps.push_back(n);
+  }
+  EXPECT_EQ(steps, (std::vector<int>{20, 48, 92, 120, 164, 192}));
+}
+
+// Three beams taken at once: three consecutive steps, one time, one wind, each its own beam.
+TEST(LidarSimTest, BeamsTakenAtOnce) {
+  const FunctionWind wind([](const Vec3&, double t) { return Vec3{t, 0.0, 0.0}; });
+  LidarParams p = one_beam(50.0);
+  p.scan.beams = {{}, {}, {}};
+  p.scan.beam_time_s = 0.5;
+  p.scan.simultaneous = true;
+  LidarSim lidar(p, wind, kSetting);
+  LidarMeasurement m;
+  int seen = 0;
+  for (int n = 0; n <= 100; ++n) {
+    const bool is_new = lidar.step(n, {}, m);
+    EXPECT_EQ(is_new, n >= 40 && n % 40 < 3) << n;
+    if (!is_new) continue;
+    EXPECT_EQ(m.beam_id, seen++ % 3);
+    EXPECT_EQ(m.time_s, n < 80 ? 0.5 : 1.0);
+    EXPECT_NEAR(m.gates[0].speed_mps, m.time_s, 1e-12);
+  }
+  EXPECT_EQ(seen, 6);
+}
+
+// They must all be handed over before the next ones are there: 41 beams in half a second of steps
+// of 0.0125 s do not fit, 40 do and none is lost.
+TEST(LidarSimTest, TooManyBeamsAtOnce) {
+  const FunctionWind wind(oblique);
+  LidarParams p = one_beam(50.0);
+  p.scan.beams.assign(41, LidarBeam{});
+  p.scan.beam_time_s = 0.5;
+  p.scan.simultaneous = true;
+  EXPECT_THAT(test::error_text([&] { LidarSim(p, wind, kSetting); }),
+              HasSubstr("41 beams taken at once need as many control steps, 0.5125 s, to be handed "
+                        "over, and the scan takes 0.5 s"));
+  p.scan.beams.pop_back();
+  LidarSim lidar(p, wind, kSetting);
+  LidarMeasurement m;
+  for (int n = 40; n <= 4800; ++n) {
+    ASSERT_TRUE(lidar.step(n, {}, m)) << n;
+    ASSERT_EQ(m.beam_id, n % 40) << n;
+    ASSERT_EQ(m.time_s, 0.5 * (n / 40)) << n;
+  }
+}
+
+// The lidar block of the swap array carries 50 gates.
+TEST(LidarSimTest, NumberOfGates) {
+  const FunctionWind wind(oblique);
+  LidarParams p = one_beam(50.0);
+  p.gates_m.clear();
+  EXPECT_THAT(test::error_text([&] { LidarSim(p, wind, kSetting); }),
+              HasSubstr("lidar: beam 1 has 0 gates, expected 1 to 50"));
+  for (int g = 0; g < 50; ++g) p.gates_m.push_back(50.0 + g);
+  EXPECT_EQ(test::error_text([&] { LidarSim(p, wind, kSetting); }), "no error");
+  p.gates_m.push_back(100.0);
+  EXPECT_THAT(test::error_text([&] { LidarSim(p, wind, kSetting); }),
+              HasSubstr("lidar: beam 1 has 51 gates, expected 1 to 50, as the lidar block"));
+}
+
+// A beam with gates of its own.
+TEST(LidarSimTest, OwnGates) {
+  const FunctionWind wind(oblique);
+  LidarParams p = one_beam(50.0);
+  p.scan.beams = {{}, {0.0, 0.0, 0.5, {80.0, 120.0}}};
+  LidarSim lidar(p, wind, kSetting);
+  EXPECT_EQ(first_measurement(lidar).gate_count, 1);
+  LidarMeasurement m;
+  for (int n = 21; n < 60; ++n) EXPECT_FALSE(lidar.step(n, {}, m)) << n;
+  ASSERT_TRUE(lidar.step(60, {}, m));
+  EXPECT_EQ(m.beam_id, 1);
+  EXPECT_EQ(m.gate_count, 2);
+  EXPECT_EQ(m.gates[1].range_m, 120.0);
+}
+
+// Nothing is allocated in a step, with all that a lidar can have.
+TEST(LidarSimTest, StepDoesNotAllocate) {
+  const FunctionWind wind(oblique);
+  LidarParams p = four_beams();
+  p.scan.samples_per_beam = 3;
+  p.scan.simultaneous = true;
+  p.mounting.place = MountingPlace::kSpinner;
+  p.platform.freedoms[kPlatformPitch].harmonics = {{0.03, 10.0, 0.0}};
+  LidarSim lidar(p, wind, kSetting);
+  LidarMeasurement m;
+  int seen = 0;
+  const test::NoAllocGuard guard;
+  for (int n = 0; n < 400; ++n) seen += lidar.step(n, {}, m) ? 1 : 0;
+  EXPECT_EQ(guard.allocations(), 0U);
+  EXPECT_GT(seen, 70);
 }
 
 }  // namespace

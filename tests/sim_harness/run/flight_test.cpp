@@ -94,6 +94,30 @@ TEST_F(FlightTest, WarningsAndFailures) {
   }
 }
 
+// What a lidar is told: the thrust coefficient is the c_T of the table at the tip-speed ratio of
+// the relative wind, 12 m/s over a tower top that moves up-wind at 0.5 m/s, and 0 from behind.
+TEST_F(FlightTest, TellsTheLidarOfTheTurbine) {
+  const TurbineParams t = load_case(files_.file()).turbine;
+  SlowOutputs o{};
+  o.rotor_speed_radps = 1.2;
+  o.pitch_rad = 0.02;
+  o.tower_x_m = 0.3;
+  o.tower_v_mps = -0.5;
+  o.thrust_N = t.rotor.thrust_N(12.5, 1.2, 0.02);
+  const TurbineState told = turbine_state(o, t, 12.0, 2.5);
+  const double expected =
+      o.thrust_N / (0.5 * 1.225 * kPi * 63.0 * 63.0 * 12.5 * 12.5);  // air density of the file
+  EXPECT_NEAR(told.thrust_coefficient, expected, 1e-12);
+  EXPECT_GT(expected, 0.5);
+  EXPECT_LT(expected, 0.9);
+  EXPECT_EQ(told.azimuth_rad, 2.5);
+  EXPECT_EQ(told.rotor_speed_radps, 1.2);
+  EXPECT_EQ(told.pitch_rad, 0.02);
+  EXPECT_EQ(told.tower_x_m, 0.3);
+  EXPECT_EQ(told.tower_v_mps, -0.5);
+  EXPECT_EQ(turbine_state(o, t, -1.0, 0.0).thrust_coefficient, 0.0);
+}
+
 // A lidar on board fills the native block: the flag comes up with the first beam at 0.25 s, and
 // at no other of the first 21 calls.
 TEST_F(FlightTest, LidarOnBoard) {
