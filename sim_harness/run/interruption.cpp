@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/interruption.hpp"
 
-#include "core/error.hpp"
-
 namespace lac::sim {
 namespace {
 
@@ -38,7 +36,7 @@ bool Interruption::requested() const {
 }
 
 void Interruption::check() const {
-  if (requested()) throw Error("interrupted: this run is given up and leaves no file");
+  if (requested()) throw Interrupted("interrupted: this run is given up and leaves no file");
 }
 
 }  // namespace lac::sim

@@ -3,7 +3,15 @@
 
 #include <csignal>
 
+#include "core/error.hpp"
+
 namespace lac::sim {
+
+/// The user or the system has asked to stop: no fault of the case.
+class Interrupted : public Error {
+ public:
+  using Error::Error;
+};
 
 /// While one lives, the first SIGINT (Ctrl-C) or SIGTERM does not end the process but asks to
 /// stop: files that were begun are then removed on the way out. The second one ends it at once.
@@ -16,7 +24,7 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
 
   bool requested() const;
-  /// Throws lac::Error if it is requested.
+  /// Throws Interrupted if it is requested.
   void check() const;
 
  private:

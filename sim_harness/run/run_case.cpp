@@ -12,8 +12,8 @@
 #include "sim_harness/output/progress.hpp"
 #include "sim_harness/run/flight.hpp"
 #include "sim_harness/run/interruption.hpp"
-#include "sim_harness/run/outb_reader.hpp"
 #include "sim_harness/run/report.hpp"
+#include "sim_harness/tables/outb_reader.hpp"
 #include "sim_harness/wind_check/wind_statistics.hpp"
 
 namespace lac::sim {
@@ -77,7 +77,10 @@ FlownController fly_with_progress(const Case& c, const CaseController& controlle
     return flown;
   } catch (const Error& e) {
     warnings.show(controller.name, std::cerr);
-    if (interruption.requested()) fs::remove(chain_output_file(root));
+    if (interruption.requested()) {
+      fs::remove(chain_output_file(root));
+      throw Interrupted(controller.name + ": " + e.what());
+    }
     throw Error(controller.name + ": " + e.what());
   }
 }
@@ -96,11 +99,14 @@ void write_recording(const Case& c, const FlownController& flown, std::vector<fs
 
 /// A period shorter than the run is allowed, but not in silence.
 std::string repetition(const Case& c) {
-  const auto* kaimal = std::get_if<KaimalFieldParams>(&c.wind.source);
-  if (kaimal == nullptr || kaimal->duration_s >= c.time.duration_s) return {};
+  const auto* kaimal = std::get_if<KaimalWind>(&c.wind.source);
+  const auto* mann = std::get_if<MannWind>(&c.wind.source);
+  if (kaimal == nullptr && mann == nullptr) return {};
+  const double period_s = kaimal != nullptr ? kaimal->field.duration_s : mann->field.duration_s;
+  if (period_s >= c.time.duration_s) return {};
   std::ostringstream text;
-  text << "note: the wind repeats itself after wind.period_s = " << kaimal->duration_s
-       << " s; the run lasts " << c.time.duration_s << " s\n";
+  text << "note: the wind repeats itself after wind.period_s = " << period_s << " s; the run lasts "
+       << c.time.duration_s << " s\n";
   return text.str();
 }
 
@@ -113,6 +119,12 @@ RotorWindParams rotor_of(const Case& c) {
   return p;
 }
 
+void create_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) throw Error(folder.string() + ": cannot be created: " + problem.message());
+}
+
 std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) {
   const double window_s = std::min(c.outputs.wind_window_s, c.time.duration_s);
   const RotorSignals signals = rotor_signals(wind, rotor_of(c), window_s);
@@ -123,36 +135,43 @@ std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) 
 
 }  // namespace
 
+CaseWind make_case_wind(const Case& c) {
+  const WindDemand demand = lidar_demand(c).value_or(WindDemand{});
+  std::unique_ptr<WindField> field = make_wind(c.wind, &demand);
+  RotorWind rotor(*field, rotor_of(c));
+  return {std::move(field), std::move(rotor)};
+}
+
 CaseResult run_case(const Case& c, std::ostream& out) {
-  std::error_code problem;
-  fs::create_directories(c.outputs.folder, problem);
-  if (problem) {
-    throw Error(c.outputs.folder.string() + ": cannot be created: " + problem.message());
-  }
+  create_folder(c.outputs.folder);
   const double start_s = seconds_now();
-  const std::unique_ptr<WindField> wind = make_wind(c.wind);
-  const RotorWind rotor_wind(*wind, rotor_of(c));
-  out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << " (ready in "
-      << duration_text(seconds_now() - start_s) << ")\n"
+  const CaseWind wind = make_case_wind(c);
+  out << c.name << ": wind ready in " << duration_text(seconds_now() - start_s) << '\n';
+  return fly_case(c, wind, out);
+}
+
+CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
+  create_folder(c.outputs.folder);
+  out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << '\n'
       << repetition(c) << std::flush;
 
   const Interruption interruption;
   CaseResult result;
-  std::vector<FlownController> flights;
   std::vector<std::string> names;
   for (const CaseController& controller : c.controllers) {
-    flights.push_back(fly_with_progress(c, controller, *wind, rotor_wind, interruption));
+    result.flights.push_back(
+        fly_with_progress(c, controller, *wind.field, wind.rotor, interruption));
     interruption.check();
-    write_recording(c, flights.back(), result.files);
-    result.figures.push_back(flight_figures(flights.back().recording, c.time.run_in_s));
+    write_recording(c, result.flights.back(), result.files);
+    result.figures.push_back(flight_figures(result.flights.back().recording, c.time.run_in_s));
     names.push_back(controller.name);
   }
-  if (c.outputs.wind) result.files.push_back(write_wind_channels(c, *wind));
+  if (c.outputs.wind) result.files.push_back(write_wind_channels(c, *wind.field));
   const std::vector<ReportResult> rows = result_rows(result.figures);
   out << '\n' << result_table(names, rows) << '\n';
   if (c.outputs.html) {
     result.files.push_back(c.outputs.folder / (c.name + ".html"));
-    write_html_report(result.files.back(), make_report(c, flights, rows));
+    write_html_report(result.files.back(), make_report(c, result.flights, rows));
   }
   for (const fs::path& file : result.files) out << "wrote " << file.string() << '\n';
   return result;

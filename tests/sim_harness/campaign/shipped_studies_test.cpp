@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The studies under config/ can be flown.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "sim_harness/campaign/campaign.hpp"
+#include "sim_harness/campaign/study_cases.hpp"
+#include "support/temp_folder.hpp"
+
+namespace lac::sim {
+namespace {
+
+std::vector<StudyCase> checked(const char* name) {
+  const Study study = load_study(std::string(LAC_SOURCE_DIR "/config/studies/") + name);
+  std::vector<StudyCase> cases = study_cases(study);
+  check_cases(study, cases);
+  return cases;
+}
+
+// 252 cases, two and two in one wind.
+TEST(ShippedStudies, Dlc12) {
+  const std::vector<StudyCase> cases = checked("dlc12.yaml");
+  EXPECT_EQ(cases.size(), 252U);
+  std::set<std::string> winds;
+  for (const StudyCase& c : cases) winds.insert(c.wind);
+  EXPECT_EQ(winds.size(), 126U);
+}
+
+// The quick one to its end.
+TEST(ShippedStudies, Quick) {
+  EXPECT_EQ(checked("quick.yaml").size(), 18U);
+  const test::TempFolder folder;
+  CampaignOptions options;
+  options.study = LAC_SOURCE_DIR "/config/studies/quick.yaml";
+  options.output = folder.path("quick");
+  std::ostringstream out;
+  EXPECT_TRUE(run_campaign(options, out)) << out.str();
+}
+
+}  // namespace
+}  // namespace lac::sim
