@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace lac::sim {
+
+struct DesignOptions {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;   // "key=value"
+  std::filesystem::path output_folder;  // empty: results/<name>
+};
+
+/// `lac design`: from turbulence, rotor and lidar to the feedforward's schedules (docs/design.md).
+/// Prints the table; writes ffp.IN, schedule.csv, curves.csv and design.html. Throws lac::Error.
+void design_command(const DesignOptions& options, std::ostream& out);
+
+}  // namespace lac::sim

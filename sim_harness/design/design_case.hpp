@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Input of `lac design` (docs/design.md lists the keys).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ffp/ffp_params.hpp"
+#include "sim_harness/design/feedforward_design.hpp"
+#include "sim_harness/design/kaimal_correlation.hpp"
+#include "sim_harness/design/mann_correlation.hpp"
+
+namespace lac::sim {
+
+struct DesignCase {
+  std::filesystem::path file;
+  std::string name;
+  double rotor_radius_m = 0.0;
+  double hub_height_m = 0.0;
+  LidarParams lidar;
+  LidarVolumeSettings volumes;
+  std::variant<MannParams, KaimalTurbulence> turbulence;
+  MannQuadrature quadrature;
+  std::vector<double> speeds_mps;
+  CurveSettings curves;  // its scan time 0 unless scan averaging is asked for
+  std::filesystem::path ffp_template;
+  CutoffRule rule = CutoffRule::kAtMinus3dB;
+  FeedforwardTiming timing;  // of the template and the lidar
+  std::filesystem::path output_folder;
+};
+
+/// Reads a design file; overrides as in YamlReader::load. Throws lac::Error: file, line, key,
+/// found, expected, hint.
+DesignCase load_design(const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides = {});
+
+std::unique_ptr<CorrelationModel> make_correlation(const DesignCase& design,
+                                                   const LidarVolumes& lidar);
+
+/// One line each, for reports.
+std::string describe_turbulence(const DesignCase& design);
+std::string describe_model(const DesignCase& design);
+
+}  // namespace lac::sim

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/design/design_report.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <sstream>
+
+#include "sim_harness/output/text_table.hpp"
+#include "sim_harness/tables/csv_table.hpp"
+
+namespace lac::sim {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+const std::vector<std::string> kHeader{
+    "wind [m/s]",   "k0.5 [rad/m]", "eddy [m]",       "[D]",      "class",
+    "cut-off [Hz]", "fit [Hz]",     "gates from [m]", "lead [s]", "filter [s]",
+    "actuator [s]", "window/2 [s]", "buffer [s]",     "late [s]"};
+
+std::string gates_text(const FeedforwardPoint& p) {
+  return p.is_usable ? format_value(p.nearest_gate_m, 1) : "none leads enough";
+}
+
+std::vector<std::string> row(const FeedforwardPoint& p, double diameter_m) {
+  const double eddy_m = p.figures.smallest_eddy_m().value_or(kNaN);
+  const auto eddy_class = p.figures.eddy_class(diameter_m);
+  return {format_value(p.mean_speed_mps, 1),
+          format_value(p.figures.k05_radpm.value_or(kNaN), 4),
+          format_value(eddy_m, 0),
+          format_value(eddy_m / diameter_m, 2),
+          eddy_class ? text_of(*eddy_class) : "n/a",
+          format_value(p.cutoff_hz, 4),
+          format_value(p.figures.fitted_cutoff_hz.value_or(kNaN), 4),
+          gates_text(p),
+          format_value(p.lead_s, 2),
+          format_value(p.filter_s, 2),
+          format_value(p.actuator_s, 2),
+          format_value(p.half_window_s, 2),
+          format_value(p.buffer_s(), 2),
+          format_value(p.late_s, 2)};
+}
+
+std::vector<std::string> origin(const DesignResult& r) {
+  const FeedforwardTiming& t = r.design.timing;
+  std::ostringstream delays;
+  delays << "delays at " << t.delay_frequency_hz << " Hz; a gate must lead by " << t.lead_margin_s
+         << " s more than needed";
+  std::ostringstream quadrature;
+  quadrature.precision(1);
+  quadrature << "quadrature: |G_RL| at the cut-off moves by " << std::scientific
+             << r.quadrature_error << " with finer steps";
+  return {"lac design " + r.design.file.filename().string(),
+          "turbulence: " + describe_turbulence(r.design),
+          "lidar: " + describe(r.design.lidar),
+          "model: " + describe_model(r.design),
+          delays.str(),
+          quadrature.str()};
+}
+
+std::string table_text(const DesignResult& r) {
+  TextTable table(kHeader);
+  for (const FeedforwardPoint& p : r.points) table.add_row(row(p, 2.0 * r.design.rotor_radius_m));
+  return table.text();
+}
+
+/// "! text" of each line.
+std::string commented(const std::string& text) {
+  std::istringstream in(text);
+  std::string result;
+  for (std::string line; std::getline(in, line);) result += "! " + line + "\n";
+  return result;
+}
+
+/// The key of a line of an input file; empty for comments and blank lines.
+std::string key_of(std::string_view line) {
+  const std::size_t value = line.find_first_not_of(" \t\r");
+  if (value == std::string_view::npos || line[value] == '!' || line[value] == '#') return {};
+  const std::size_t mark = line.find('!');
+  if (mark == std::string_view::npos) return {};
+  std::istringstream rest{std::string(line.substr(mark + 1))};
+  std::string key;
+  rest >> key;
+  std::ranges::transform(key, key.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return key;
+}
+
+bool is_comment(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first != std::string::npos && (line[first] == '!' || line[first] == '#');
+}
+
+/// Comments with the origin of the numbers, and the two rows.
+std::string schedule_block(const DesignResult& r) {
+  std::string text;
+  for (const std::string& line : origin(r)) text += line + "\n";
+  std::ostringstream rows;
+  for (const FeedforwardPoint& p : r.points) rows << shortest(p.mean_speed_mps) << ' ';
+  rows << "! CutOffWindSpeed - mean wind speed of the schedule [m/s]\n";
+  for (const FeedforwardPoint& p : r.points) rows << format_value(p.cutoff_hz, 5) << ' ';
+  rows << "! CutOffFrequency - of the first-order low-pass there [Hz]\n";
+  return commented(text + table_text(r)) + rows.str();
+}
+
+}  // namespace
+
+std::string design_table(const DesignResult& r) {
+  std::string text;
+  for (const std::string& line : origin(r)) text += line + "\n";
+  return text + table_text(r);
+}
+
+std::string designed_ffp_input(std::string_view template_text, const DesignResult& r) {
+  std::vector<std::string> lines;
+  std::size_t end_of_block = 0;
+  std::istringstream in{std::string(template_text)};
+  for (std::string line; std::getline(in, line);) {
+    const std::string key = key_of(line);
+    if (key != "cutoffwindspeed" && key != "cutofffrequency") {
+      lines.push_back(line);
+      continue;
+    }
+    while (lines.size() > end_of_block && is_comment(lines.back())) lines.pop_back();
+    if (end_of_block > 0) continue;
+    std::istringstream block(schedule_block(r));
+    for (std::string made; std::getline(block, made);) lines.push_back(made);
+    end_of_block = lines.size();
+  }
+  std::string result;
+  for (const std::string& line : lines) result += line + "\n";
+  return result;
+}
+
+std::string schedule_csv(const DesignResult& r) {
+  std::string text =
+      csv_line({"mean_speed [m/s]", "k05 [rad/m]", "smallest_eddy [m]", "cutoff [Hz]",
+                "fitted_cutoff [Hz]", "nearest_gate [m]", "usable [-]", "lead [s]", "filter [s]",
+                "actuator [s]", "half_window [s]", "buffer [s]", "late [s]"});
+  for (const FeedforwardPoint& p : r.points) {
+    text +=
+        csv_line({csv_number(p.mean_speed_mps), csv_number(p.figures.k05_radpm.value_or(kNaN)),
+                  csv_number(p.figures.smallest_eddy_m().value_or(kNaN)), csv_number(p.cutoff_hz),
+                  csv_number(p.figures.fitted_cutoff_hz.value_or(kNaN)),
+                  csv_number(p.nearest_gate_m), p.is_usable ? "1" : "0", csv_number(p.lead_s),
+                  csv_number(p.filter_s), csv_number(p.actuator_s), csv_number(p.half_window_s),
+                  csv_number(p.buffer_s()), csv_number(p.late_s)});
+  }
+  return text;
+}
+
+std::string curves_csv(const DesignResult& r) {
+  std::string text = csv_line({"mean_speed [m/s]", "frequency [Hz]", "k1 [rad/m]",
+                               "s_rr [m^2/s^2/Hz]", "s_ll [m^2/s^2/Hz]", "re_s_rl [m^2/s^2/Hz]",
+                               "im_s_rl [m^2/s^2/Hz]", "coherence [-]", "gain [-]"});
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    const CorrelationCurve c = r.curves.curve(i, r.points[i].first_plane);
+    const std::vector<double> coherence = c.coherence(), gain = c.gain();
+    for (std::size_t j = 0; j < gain.size(); ++j) {
+      text += csv_line({csv_number(c.mean_speed_mps), csv_number(c.frequency_hz(j)),
+                        csv_number(c.k1_radpm[j]), csv_number(c.s_rr[j]), csv_number(c.s_ll[j]),
+                        csv_number(c.s_rl[j].real()), csv_number(c.s_rl[j].imag()),
+                        csv_number(coherence[j]), csv_number(gain[j])});
+    }
+  }
+  return text;
+}
+
+}  // namespace lac::sim

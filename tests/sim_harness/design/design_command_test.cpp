@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/cli/design_command.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "ffp/ffp_params.hpp"
+#include "support/temp_folder.hpp"
+
+namespace lac::sim {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const std::filesystem::path kFile =
+    std::filesystem::path(LAC_SOURCE_DIR) / "config/design/nrel5mw.yaml";
+
+DesignOptions coarse(const test::TempFolder& folder) {
+  return {kFile,
+          {"points=21", "quadrature_nodes=61", "wind_speeds_mps=[12, 16, 20, 24]"},
+          folder.path() / "out"};
+}
+
+// One command from turbulence, rotor and lidar to an input file that FFP reads.
+TEST(DesignCommand, WritesWhatTheFeedforwardNeeds) {
+  const test::TempFolder folder;
+  std::ostringstream out;
+  design_command(coarse(folder), out);
+  EXPECT_THAT(out.str(), HasSubstr("turbulence: Mann tensor, L 49 m"));
+  EXPECT_THAT(out.str(), HasSubstr("quadrature: |G_RL| at the cut-off moves by"));
+  InputFile file = InputFile::load(folder.path() / "out/ffp.IN");
+  const FfpParams ffp = FfpParams::read(file);
+  EXPECT_EQ(ffp.cutoff_hz.x(), (std::vector{12.0, 16.0, 20.0, 24.0}));
+  EXPECT_NEAR(ffp.cutoff_hz.at(16.0), 0.0490, 0.05 * 0.0490);  // GUO, Mann neutral
+  for (const char* name : {"schedule.csv", "curves.csv", "design.html"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
+}
+
+// Steps too coarse for a number to be trusted are an error, not a number.
+TEST(DesignCommand, RefusesAQuadratureThatHasNotConverged) {
+  const test::TempFolder folder;
+  DesignOptions options = coarse(folder);
+  options.overrides.push_back("quadrature_nodes=11");
+  std::ostringstream out;
+  EXPECT_THAT([&] { design_command(options, out); },
+              ThrowsMessage<Error>(HasSubstr("raise quadrature_nodes")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
+}  // namespace
+}  // namespace lac::sim

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits in closed form, and numbers of python/lidar_correlation.py, which shares no code.
+#include "sim_harness/design/kaimal_correlation.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/units.hpp"
+#include "sim_harness/wind/stability.hpp"
+
+namespace lac::sim {
+namespace {
+
+constexpr double kSpeed_mps = 16.0;
+
+KaimalTurbulence turbulence(Stability stability, LateralCoherence lateral) {
+  return {stability_kaimal(stability, kStabilitySigmaU_mps), stability_evolution(stability),
+          lateral};
+}
+
+/// One-sided in f.
+double density(const KaimalComponent& c, double k1_radpm) {
+  return c.spectrum(k1_radpm * kSpeed_mps / (2.0 * kPi), kSpeed_mps);
+}
+
+LidarParams points_at(std::vector<double> azimuths_deg, std::vector<double> gates_m) {
+  LidarParams lidar;
+  for (const double a : azimuths_deg) lidar.scan.beams.push_back({rad_from_deg(a), 0.0, 0.0, {}});
+  lidar.gates_m = std::move(gates_m);
+  lidar.gates_along_beam = false;
+  lidar.weighting.fwhm_m = 0.0;
+  return lidar;
+}
+
+LidarParams four_beams() {
+  return load_lidar(std::filesystem::path(LAC_SOURCE_DIR) / "config/lidars/four_beam_pulsed.yaml");
+}
+
+/// One-sided in f.
+struct Found {
+  double s_rr, s_ll, abs_s_rl;
+};
+
+Found spectra(const KaimalTurbulence& t, const LidarParams& lidar, double radius_m, double k1_radpm,
+              const LidarVolumeSettings& settings = {}, std::size_t first_plane = 0) {
+  const RotorLidarSpectra s =
+      KaimalCorrelation(t, lidar_volumes(lidar, settings), radius_m).at(k1_radpm, {kSpeed_mps})[0];
+  const double one_sided = 4.0 * kPi / kSpeed_mps;
+  return {one_sided * s.s_rr, one_sided * s.s_ll[first_plane],
+          one_sided * std::abs(s.s_rl[first_plane])};
+}
+
+// A point on the axis and a rotor without extent: the spectrum of u, and the coherence along the
+// wind, squared.
+TEST(KaimalCorrelation, OfAPointOnTheAxisIsTheCoherenceAlongTheWind) {
+  KaimalTurbulence t = turbulence(Stability::kNeutral, LateralCoherence::kSameAsU);
+  for (const double k1 : {0.002, 0.05}) {
+    const Found f = spectra(t, points_at({0.0}, {100.0}), 0.0, k1);
+    EXPECT_NEAR(f.s_rr / density(t.model.u, k1), 1.0, 1e-7);
+    EXPECT_NEAR(f.s_ll / density(t.model.u, k1), 1.0, 1e-12);
+    const double gamma_sq = std::exp(-1.8 * 100.0 * std::hypot(k1 / (2.0 * kPi), 1.49e-4));
+    EXPECT_NEAR(f.abs_s_rl * f.abs_s_rl / (f.s_rr * f.s_ll), gamma_sq, 1e-7);
+  }
+  t.evolution = {};
+  const Found frozen = spectra(t, points_at({0.0}, {100.0}), 0.0, 0.02);
+  EXPECT_NEAR(frozen.abs_s_rl / frozen.s_ll, 1.0, 1e-12);
+}
+
+// Two beams in points 2 x 25 m apart: u by its coherence; v fully, partly or not at all connected.
+TEST(KaimalCorrelation, TakesVAsTheConventionSays) {
+  const double angle_deg = deg_from_rad(std::atan(0.25)), k1 = 0.01;
+  for (const LateralCoherence lateral :
+       {LateralCoherence::kSameAsU, LateralCoherence::kIndependent}) {
+    const KaimalTurbulence t = turbulence(Stability::kNeutral, lateral);
+    const Found f = spectra(t, points_at({angle_deg, -angle_deg}, {100.0}), 63.0, k1);
+    const double gamma = t.model.root_coherence(50.0, k1 * kSpeed_mps / (2.0 * kPi), kSpeed_mps);
+    const double of_v = lateral == LateralCoherence::kSameAsU ? 1.0 - gamma : 1.0;
+    const double expected =
+        0.5 * density(t.model.u, k1) * (1.0 + gamma) + 0.5 * density(t.model.v, k1) * of_v / 16.0;
+    EXPECT_NEAR(f.s_ll / expected, 1.0, 1e-12);
+  }
+}
+
+// Independent v and w leave nothing in a continuous volume, and of three points 3/8.
+TEST(KaimalCorrelation, AveragesIndependentComponentsOut) {
+  KaimalTurbulence t = turbulence(Stability::kNeutral, LateralCoherence::kIndependent);
+  LidarParams lidar = points_at({20.0}, {100.0});
+  const auto s_ll = [&](VolumeModel model, double fwhm_m) {
+    lidar.weighting.fwhm_m = fwhm_m;
+    return spectra(t, lidar, 63.0, 0.01, {.model = model}).s_ll;
+  };
+  const double point = s_ll(VolumeModel::kContinuous, 0.0);
+  const double continuous = s_ll(VolumeModel::kContinuous, 30.0);
+  const double three = s_ll(VolumeModel::kThreePoint, 30.0);
+  t.model.v.sigma_mps = 0.0;
+  const double share_of_v = std::pow(std::tan(rad_from_deg(20.0)), 2.0);
+  const double v = share_of_v * density(stability_kaimal(Stability::kNeutral, 2.82).v, 0.01);
+  EXPECT_NEAR(point - s_ll(VolumeModel::kContinuous, 0.0), v, 1e-9);
+  EXPECT_NEAR(continuous - s_ll(VolumeModel::kContinuous, 30.0), 0.0, 1e-12);
+  EXPECT_NEAR(three - s_ll(VolumeModel::kThreePoint, 30.0), 0.375 * v, 1e-9);
+}
+
+// Gates left out: as if the lidar did not have them.
+TEST(KaimalCorrelation, HoldsTheSumsOfFewerGates) {
+  const KaimalTurbulence t = turbulence(Stability::kStable, LateralCoherence::kSameAsU);
+  LidarParams fewer = four_beams();
+  fewer.gates_m.erase(fewer.gates_m.begin(), fewer.gates_m.begin() + 3);
+  const Found all = spectra(t, four_beams(), 63.0, 0.02, {.range_points = 9}, 3);
+  const Found far = spectra(t, fewer, 63.0, 0.02, {.range_points = 9});
+  EXPECT_NEAR(all.s_ll / far.s_ll, 1.0, 1e-12);
+  EXPECT_NEAR(all.abs_s_rl / far.abs_s_rl, 1.0, 1e-12);
+}
+
+// lidar_correlation.py kaimal CLASS --wavenumbers 0.002 0.05 5 (same coherence for v and w), its
+// range weighting continued to five standard deviations.
+TEST(KaimalCorrelation, AgreesWithTheScript) {
+  struct Line {
+    Stability stability;
+    double k1_radpm;
+    Found found;
+  };
+  for (const Line& line : {Line{Stability::kNeutral, 0.002, {214.577, 216.71, 208.748}},
+                           Line{Stability::kNeutral, 0.01, {22.679, 23.4308, 19.7676}},
+                           Line{Stability::kNeutral, 0.05, {0.256561, 0.349889, 0.108973}},
+                           Line{Stability::kUnstable, 0.002, {300.545, 294.515, 280.044}},
+                           Line{Stability::kUnstable, 0.05, {0.436438, 0.315142, 0.0835099}},
+                           Line{Stability::kStable, 0.01, {18.5723, 19.9428, 16.2235}}}) {
+    const KaimalTurbulence t = turbulence(line.stability, LateralCoherence::kSameAsU);
+    const Found f = spectra(t, four_beams(), 63.0, line.k1_radpm, {.range_points = 41});
+    EXPECT_NEAR(f.s_rr / line.found.s_rr, 1.0, 1e-4);
+    EXPECT_NEAR(f.s_ll / line.found.s_ll, 1.0, 3e-4) << line.k1_radpm;
+    EXPECT_NEAR(f.abs_s_rl / line.found.abs_s_rl, 1.0, 3e-4) << line.k1_radpm;
+  }
+}
+
+}  // namespace
+}  // namespace lac::sim
