@@ -15,4 +15,11 @@ double chi_square_quantile(double probability, double degrees_of_freedom);
 /// Standard normal: the x with this probability below it, 0 < probability < 1 (lac::Error).
 double normal_quantile(double probability);
 
+/// Probability that a variable of Student's distribution with so many degrees of freedom (> 0, need
+/// not be whole) is below x.
+double student_probability(double x, double degrees_of_freedom);
+
+/// Its inverse; throws as chi_square_quantile().
+double student_quantile(double probability, double degrees_of_freedom);
+
 }  // namespace lac::sim

@@ -25,29 +25,11 @@ void require_finite(std::span<const double> series) {
               std::to_string(series.size()) + " is not a finite number");
 }
 
-}  // namespace
-
-std::vector<double> turning_points(std::span<const double> series) {
-  std::vector<double> points;
-  for (const double x : series) {
-    const std::size_t n = points.size();
-    if (n > 0 && x == points[n - 1]) continue;
-    const bool goes_on = n > 1 && (points[n - 1] > points[n - 2]) == (x > points[n - 1]);
-    if (goes_on) {
-      points[n - 1] = x;
-    } else {
-      points.push_back(x);
-    }
-  }
-  return points;
-}
-
-std::vector<LoadCycle> rainflow(std::span<const double> series) {
-  require_finite(series);
+std::vector<LoadCycle> three_point_cycles(std::span<const double> points) {
   std::vector<LoadCycle> cycles;
   std::vector<double> open;
   std::size_t start = 0;  // open[start] is where the remaining history begins
-  for (const double point : turning_points(series)) {
+  for (const double point : points) {
     open.push_back(point);
     while (open.size() - start >= 3) {
       const std::size_t n = open.size();
@@ -69,6 +51,62 @@ std::vector<LoadCycle> rainflow(std::span<const double> series) {
   return cycles;
 }
 
+/// Moves closed cycles out of the points; what is returned never closes.
+std::vector<double> close_cycles(std::span<const double> points, std::vector<LoadCycle>& cycles) {
+  std::vector<double> open;
+  for (const double point : points) {
+    open.push_back(point);
+    while (open.size() >= 4) {
+      const std::size_t n = open.size();
+      const double before = std::abs(open[n - 3] - open[n - 4]);
+      const double inner = std::abs(open[n - 2] - open[n - 3]);
+      const double latest = std::abs(open[n - 1] - open[n - 2]);
+      if (inner > before || inner > latest) break;
+      cycles.push_back(cycle(open[n - 3], open[n - 2], 1.0));
+      open.erase(open.end() - 3, open.end() - 1);
+    }
+  }
+  return open;
+}
+
+std::vector<LoadCycle> four_point_cycles(std::span<const double> points) {
+  std::vector<LoadCycle> cycles;
+  std::vector<double> twice = close_cycles(points, cycles);
+  const std::vector<double> residue = twice;
+  twice.insert(twice.end(), residue.begin(), residue.end());
+  close_cycles(turning_points(twice), cycles);
+  return cycles;
+}
+
+const char* text_of(RainflowRule rule) {
+  return rule == RainflowRule::kAstm
+             ? "rainflow counting after ASTM E1049, residue as half cycles, no binning"
+             : "four-point rainflow counting, residue repeated and closed, no binning";
+}
+
+}  // namespace
+
+std::vector<double> turning_points(std::span<const double> series) {
+  std::vector<double> points;
+  for (const double x : series) {
+    const std::size_t n = points.size();
+    if (n > 0 && x == points[n - 1]) continue;
+    const bool goes_on = n > 1 && (points[n - 1] > points[n - 2]) == (x > points[n - 1]);
+    if (goes_on) {
+      points[n - 1] = x;
+    } else {
+      points.push_back(x);
+    }
+  }
+  return points;
+}
+
+std::vector<LoadCycle> rainflow(std::span<const double> series, RainflowRule rule) {
+  require_finite(series);
+  const std::vector<double> points = turning_points(series);
+  return rule == RainflowRule::kAstm ? three_point_cycles(points) : four_point_cycles(points);
+}
+
 double DelConvention::reference_cycles(double duration_s) const {
   return reference == ReferenceCycles::kOneHertz ? duration_s : 2e6 * duration_s / kTwentyYears_s;
 }
@@ -80,8 +118,7 @@ std::string DelConvention::text() const {
                                  ? "one cycle per second (N_ref = T)"
                                  : "2e6 cycles in 20 years (N_ref = 2e6 T / 20 years)";
   return "(sum n_i R_i^m / N_ref)^(1/m) with m = " + std::string(exponent) +
-         ", R the full range, reference " + cycles +
-         "; rainflow counting after ASTM E1049, residue as half cycles, no binning";
+         ", R the full range, reference " + cycles + "; " + text_of(counting);
 }
 
 double damage_equivalent_load(std::span<const LoadCycle> cycles, double duration_s,
@@ -95,7 +132,7 @@ double damage_equivalent_load(std::span<const LoadCycle> cycles, double duration
 double damage_equivalent_load(std::span<const double> series, double time_step_s,
                               const DelConvention& convention) {
   const auto duration_s = static_cast<double>(series.size()) * time_step_s;
-  return damage_equivalent_load(rainflow(series), duration_s, convention);
+  return damage_equivalent_load(rainflow(series, convention.counting), duration_s, convention);
 }
 
 }  // namespace lac::sim

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fatigue: rainflow counting after ASTM E1049-85 section 5.4.4 and damage-equivalent loads
-// (methods section 17).
+// Fatigue: rainflow counting and damage-equivalent loads.
 #pragma once
 
 #include <span>
@@ -21,9 +20,18 @@ struct LoadCycle {
 /// First sample, every reversal, last sample; equal neighbours count once.
 std::vector<double> turning_points(std::span<const double> series);
 
-/// Three-point counting; ranges that hold the start of the history and the residue count half.
+enum class RainflowRule {
+  /// Three points, ASTM E1049-85 section 5.4.4: ranges that hold the start of the history, and the
+  /// residue, count half.
+  kAstm,
+  /// Four points (Amzallag et al. 1994): an inner range not above either of its neighbours closes.
+  /// The residue is repeated once and closed the same way: the history of a load that goes on.
+  kFourPoint,
+};
+
 /// In the order in which they close. No binning. Throws lac::Error if a sample is not finite.
-std::vector<LoadCycle> rainflow(std::span<const double> series);
+std::vector<LoadCycle> rainflow(std::span<const double> series,
+                                RainflowRule rule = RainflowRule::kAstm);
 
 enum class ReferenceCycles {
   kOneHertz,                 // N_ref = T: the load that acts once a second
@@ -34,6 +42,7 @@ enum class ReferenceCycles {
 struct DelConvention {
   double woehler_exponent = 4.0;  // m: 4 for steel towers and shafts, 10 for composite blades
   ReferenceCycles reference = ReferenceCycles::kOneHertz;
+  RainflowRule counting = RainflowRule::kAstm;
 
   /// N_ref of a record of this length.
   double reference_cycles(double duration_s) const;
@@ -42,7 +51,8 @@ struct DelConvention {
   std::string text() const;
 };
 
-/// (sum n_i R_i^m / N_ref)^(1/m), in the unit of the load.
+/// (sum n_i R_i^m / N_ref)^(1/m), in the unit of the load. The cycles must have been counted by
+/// the convention's rule.
 double damage_equivalent_load(std::span<const LoadCycle> cycles, double duration_s,
                               const DelConvention& convention);
 

@@ -16,6 +16,7 @@ Statistics statistics(std::span<const double> series, std::size_t first_sample) 
                 std::to_string(first_sample) + " are discarded");
   }
   const auto used = series.subspan(first_sample);
+  const auto first = static_cast<std::ptrdiff_t>(first_sample);
   const auto count = static_cast<double>(used.size());
   double sum = 0.0;
   for (const double x : used) sum += x;
@@ -24,8 +25,20 @@ Statistics statistics(std::span<const double> series, std::size_t first_sample) 
   for (const double x : used) squares += (x - mean) * (x - mean);
   const double deviation = std::sqrt(squares / (count - 1.0));
   if (std::isnan(mean)) return {mean, deviation, mean, mean};
-  const auto [min, max] = std::minmax_element(used.begin(), used.end());
-  return {mean, deviation, *min, *max};
+  const auto min = std::min_element(series.begin() + first, series.end());
+  const auto max = std::max_element(series.begin() + first, series.end());
+  return {mean,
+          deviation,
+          *min,
+          *max,
+          static_cast<std::size_t>(min - series.begin()),
+          static_cast<std::size_t>(max - series.begin())};
+}
+
+double travel(std::span<const double> series) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < series.size(); ++i) sum += std::abs(series[i] - series[i - 1]);
+  return sum;
 }
 
 std::vector<double> rate_of_change(std::span<const double> series, double time_step_s) {

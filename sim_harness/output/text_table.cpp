@@ -72,6 +72,13 @@ std::string format_value(double value, int decimals) {
   return std::isfinite(value) ? fixed_point(value, decimals, "") : "n/a";
 }
 
+std::string format_significant(double value, int digits) {
+  if (value == 0.0) return "0";
+  if (!std::isfinite(value)) return "n/a";
+  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return fixed_point(value, std::clamp(digits - before_point, 0, 17), "");
+}
+
 std::string format_change(double relative_change) {
   if (!std::isfinite(relative_change)) return "n/a";
   const double percent = 100.0 * relative_change;

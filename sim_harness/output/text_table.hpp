@@ -25,6 +25,10 @@ class TextTable {
 /// Fixed point with these decimals; "n/a" for a value that is not finite.
 std::string format_value(double value, int decimals);
 
+/// Fixed point with at least so many significant digits: 12345.7, 1.2346, 0.0012346 for 5; "0";
+/// "n/a" for a value that is not finite.
+std::string format_significant(double value, int digits);
+
 /// 0.123 as "+12.3 %", below one percent with two decimals; "n/a" for a value that is not finite.
 std::string format_change(double relative_change);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_harness/lidar/beam_extent.hpp"
+
 namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
@@ -38,22 +40,6 @@ CaseTime read_time(YamlReader in) {
   }
   in.finish();
   return t;
-}
-
-CaseLidar read_case_lidar(YamlReader in) {
-  CaseLidar lidar;
-  if (in.has("file")) {
-    lidar.params = load_lidar(in.existing_file("file"));
-  } else {
-    lidar.params = read_lidar(in);
-  }
-  if (in.has("fault")) {
-    YamlReader fault = in.map("fault");
-    lidar.fault = read_lidar_fault(fault);
-    fault.finish();
-  }
-  in.finish();
-  return lidar;
 }
 
 /// A library given with a folder counts from the case file; a bare name is searched for.
@@ -100,6 +86,37 @@ std::uint64_t read_seed(YamlReader& in) {
 
 }  // namespace
 
+CaseLidar read_case_lidar(YamlReader in) {
+  CaseLidar lidar;
+  if (in.has("file")) {
+    lidar.params = load_lidar(in.existing_file("file"));
+  } else {
+    lidar.params = read_lidar(in);
+  }
+  if (in.has("platform")) {
+    YamlReader platform = in.map("platform");
+    lidar.params.platform = read_platform_motion(platform);
+    platform.finish();
+  }
+  if (in.has("weaknesses")) {
+    YamlReader weaknesses = in.map("weaknesses");
+    lidar.weaknesses = read_lidar_weaknesses(weaknesses);
+    weaknesses.finish();
+  }
+  if (in.has("fault")) {
+    YamlReader fault = in.map("fault");
+    lidar.fault = read_lidar_fault(fault);
+    fault.finish();
+  }
+  in.finish();
+  return lidar;
+}
+
+std::optional<WindDemand> lidar_demand(const Case& c) {
+  if (!c.lidar) return std::nullopt;
+  return wind_demand(c.lidar->params, c.turbine.hub_height_m);
+}
+
 std::int64_t CaseTime::steps() const {
   return std::llround(duration_s / step_s);
 }
@@ -113,7 +130,8 @@ Case load_case(const fs::path& file, const std::vector<std::string>& overrides) 
   c.seed = seed;
   if (in.has("lidar")) c.lidar = read_case_lidar(in.map("lidar"));
   YamlReader wind = in.map("wind");
-  c.wind = read_wind(wind, {c.turbine.hub_height_m, c.turbine.rotor.radius_m, seed});
+  c.wind =
+      read_wind(wind, {c.turbine.hub_height_m, c.turbine.rotor.radius_m, seed, lidar_demand(c)});
   wind.finish();
   c.controllers = read_controllers(in);
   c.time = read_time(in.map("time"));

@@ -9,6 +9,7 @@
 
 #include "sim_harness/lidar/lidar_fault.hpp"
 #include "sim_harness/lidar/lidar_params.hpp"
+#include "sim_harness/lidar/lidar_weaknesses.hpp"
 #include "sim_harness/run/wind_case.hpp"
 #include "sim_harness/turbine/turbine_params.hpp"
 
@@ -24,6 +25,7 @@ struct CaseTime {
 
 struct CaseLidar {
   LidarParams params;
+  LidarWeaknessParams weaknesses = {};
   LidarFault fault;
 };
 
@@ -57,6 +59,12 @@ struct Case {
   std::uint64_t seed = 1;
   CaseOutputs outputs = {};
 };
+
+/// The map `lidar` of a case. Throws lac::Error.
+CaseLidar read_case_lidar(YamlReader in);
+
+/// Where its lidar will ask for the wind, if it has one.
+std::optional<WindDemand> lidar_demand(const Case& c);
 
 /// Reads a case file; overrides as in YamlReader::load. Paths in it count from its own folder,
 /// but results/<name> (the default) from where the program runs. Throws lac::Error: file, line,

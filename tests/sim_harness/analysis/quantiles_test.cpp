@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace lac::sim {
 namespace {
@@ -43,6 +44,20 @@ TEST(Quantiles, Refuses) {
   EXPECT_THROW(normal_quantile(1.0), Error);
   EXPECT_THROW(chi_square_quantile(0.0, 3.0), Error);
   EXPECT_THROW(chi_square_quantile(0.5, 0.0), Error);
+}
+
+// Against scipy.stats.t (ppf and cdf), degrees of freedom from one up, whole or not.
+TEST(Student, AgreesWithScipy) {
+  EXPECT_NEAR(student_quantile(0.975, 5.0), 2.5705818356363146, 1e-12);
+  EXPECT_NEAR(student_quantile(0.975, 1.0), 12.706204736174694, 1e-11);
+  EXPECT_NEAR(student_quantile(0.975, 2.5), 3.5746548420036817, 1e-12);
+  EXPECT_NEAR(student_quantile(0.995, 40.3), 2.7034580258698857, 1e-12);
+  EXPECT_NEAR(student_quantile(0.9, 1e4), 1.2816362297304775, 1e-11);
+  EXPECT_NEAR(student_quantile(0.025, 11.0), -2.2009851600916392, 1e-12);
+  EXPECT_NEAR(student_probability(-2.5, 3.0), 0.04385332350403278, 1e-14);
+  EXPECT_NEAR(student_probability(0.7, 7.5), 0.7474721890630748, 1e-14);
+  EXPECT_NEAR(student_probability(4.0, 1.0), 0.5 + std::atan(4.0) / kPi, 1e-14);
+  EXPECT_NEAR(student_quantile(0.5, 3.0), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -30,6 +30,14 @@ TEST(Statistics, RunInIsDiscarded) {
   EXPECT_DOUBLE_EQ(found.standard_deviation, std::sqrt(5.0 / 3.0));
   EXPECT_EQ(found.min, 1.0);
   EXPECT_EQ(found.max, 4.0);
+  EXPECT_EQ(found.min_sample, 2U);
+  EXPECT_EQ(found.max_sample, 5U);
+}
+
+// There and back again: 3 + 5 + 2.
+TEST(Travel, CountsEveryWay) {
+  EXPECT_EQ(travel(std::vector<double>{1.0, 4.0, -1.0, 1.0}), 10.0);
+  EXPECT_EQ(travel(std::vector<double>{7.0}), 0.0);
 }
 
 // A small deviation beside a large mean keeps its digits.

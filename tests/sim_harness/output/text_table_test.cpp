@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
@@ -39,6 +40,15 @@ TEST(FormatNumbers, ValuesAndChanges) {
   EXPECT_EQ(format_change(-0.0021), "-0.21 %");
   EXPECT_EQ(format_change(-0.00001), "0.00 %");
   EXPECT_EQ(format_change(std::numeric_limits<double>::infinity()), "n/a");
+}
+
+// Digits that count, whatever the size.
+TEST(FormatSignificant, LargeAndSmall) {
+  EXPECT_EQ(format_significant(1234567.8, 5), "1234568");
+  EXPECT_EQ(format_significant(-12.34567, 5), "-12.346");
+  EXPECT_EQ(format_significant(0.00123456, 5), "0.0012346");
+  EXPECT_EQ(format_significant(0.0, 5), "0");
+  EXPECT_EQ(format_significant(std::nan(""), 5), "n/a");
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST_F(CaseFileTest, Defaults) {
 TEST_F(CaseFileTest, Overrides) {
   const Case c = load_case(files_.file(), {"wind.speed_mps=12", "seed=7", "time.duration_s=30",
                                            "controllers.1.name=other"});
-  EXPECT_EQ(std::get<SteadySpeed>(std::get<UniformWindParams>(c.wind.source).history).speed_mps, 12.0);
+  EXPECT_EQ(std::get<SteadySpeed>(std::get<UniformWindParams>(c.wind.source).history).speed_mps,
+            12.0);
   EXPECT_EQ(c.seed, 7U);
   EXPECT_EQ(c.time.duration_s, 30.0);
   EXPECT_EQ(c.controllers[1].name, "other");
@@ -74,7 +75,8 @@ TEST_F(CaseFileTest, Faults) {
               EndsWith(":6: wind.speed_mps: the key is missing; is 'sped_mps' meant to be it?"));
   EXPECT_THAT(
       error_with("kind: steady", "kind: stormy"),
-      HasSubstr(":6: wind.kind: found 'stormy', expected steady, step, eog, edc, ecd, ews, kaimal"));
+      HasSubstr(
+          ":6: wind.kind: found 'stormy', expected steady, step, eog, edc, ecd, ews, kaimal"));
   EXPECT_THAT(error_with("run_in_s: 5", "run_in_s: 20"),
               EndsWith(":4: time.run_in_s: expected a time before duration_s, by two steps at "
                        "least"));
@@ -109,16 +111,16 @@ TEST_F(CaseFileTest, KindsOfWind) {
       wind_of(files_, "  {kind: eog, mean_speed_mps: 18, start_s: 8, wind_class: II}\n"));
   EXPECT_DOUBLE_EQ(std::get<GustSpeed>(gust.history).magnitude_mps,
                    eog_magnitude_mps({WindClass::kII, TurbulenceCategory::kA}, 18.0, 90.0, 126.0));
-  const auto kaimal = std::get<KaimalFieldParams>(
+  const auto kaimal = std::get<KaimalWind>(
       wind_of(files_, "  {kind: kaimal, mean_speed_mps: 18, turbulence_category: B}\n"));
-  EXPECT_NEAR(kaimal.model.u.sigma_mps, 0.14 * (0.75 * 18.0 + 5.6), 1e-12);
-  EXPECT_EQ(kaimal.seed, 1U);
+  EXPECT_NEAR(kaimal.field.model.u.sigma_mps, 0.14 * (0.75 * 18.0 + 5.6), 1e-12);
+  EXPECT_EQ(kaimal.field.seed, 1U);
   files_.folder.write("b.bts", "");
   const auto bts = std::get<FieldFile>(wind_of(files_, "  {kind: bts, file: b.bts}\n"));
   EXPECT_EQ(bts.file, files_.folder.path() / "b.bts");
   EXPECT_EQ(describe(WindCase{kaimal}),
-            "Kaimal turbulence, 18 m/s, standard deviation 2.674 m/s, 27 x 27 points, v and w "
-            "independent, seed 1");
+            "Kaimal turbulence, 18 m/s, sigma 2.674, 2.139, 1.337 m/s, L 340.2, 113.4, 27.72 m, "
+            "coherence 12, 340.2 m (right to 1e-07), v and w independent, 27 x 27 points, seed 1");
 }
 
 // A lidar from a file of its own or written out, with a fault.
@@ -129,7 +131,7 @@ TEST_F(CaseFileTest, Lidar) {
   const auto from_file = lidar(
       " {file: " LAC_SOURCE_DIR
       "/config/lidars/four_beam_pulsed.yaml, fault: {kind: stuck, start_s: 200, end_s: 250}}");
-  EXPECT_EQ(from_file->params.beams.size(), 4U);
+  EXPECT_EQ(from_file->params.scan.beams.size(), 4U);
   EXPECT_EQ(from_file->fault.kind, LidarFaultKind::kStuck);
   EXPECT_EQ(from_file->fault.end_s, 250.0);
   const auto written = lidar(
@@ -137,6 +139,10 @@ TEST_F(CaseFileTest, Lidar) {
       "beam_time_s: 1, fwhm_m: 0}");
   EXPECT_EQ(written->params.gates_m.size(), 1U);
   EXPECT_EQ(written->fault.kind, LidarFaultKind::kNone);
+  const auto afloat = lidar(" {file: " LAC_SOURCE_DIR
+                            "/config/lidars/four_beam_pulsed.yaml, platform: {surge: {mean: 2}}}");
+  EXPECT_EQ(afloat->params.platform.freedoms[kSurge].mean, 2.0);
+  EXPECT_TRUE(from_file->params.platform.is_still());
   EXPECT_THAT(
       error_with("outputs:", "lidar: {file: none.yaml}\noutputs:"),
       HasSubstr("case.yaml:13: lidar.file: " + files_.folder.file("none.yaml") + " cannot"));

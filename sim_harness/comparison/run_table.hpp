@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim_harness/analysis/channel_figures.hpp"
+#include "sim_harness/tables/csv_table.hpp"
+#include "sim_harness/tables/text_reader.hpp"
+
+namespace lac::sim {
+
+/// The runs of one controller: figures under many winds.
+struct RunTable {
+  struct Run {
+    std::string key;  // runs of two controllers with the same key flew in the same wind
+    double wind_mps = 0.0;
+    std::vector<double> figures;  // NaN: none
+    std::string place;            // for messages
+  };
+  std::string name;
+  std::vector<std::string> figures;  // "TwrBsMyt_del4 [kNm]"
+  std::vector<Run> runs;
+  std::size_t left_out = 0;  // rows whose status is not "done"
+};
+
+struct RunTableOptions {
+  /// Column that tells the controllers apart.
+  std::string controller_column = "controller";
+  /// Columns that make the key. Empty: all without a unit that differ among the runs of one
+  /// controller, but case, status and reason; of a column `file` the name without folder and
+  /// ending.
+  std::vector<std::string> pair_by;
+  /// "column=value": other rows of a table are not looked at.
+  std::vector<std::string> where;
+  /// Mean wind speed. Empty: mean_speed_mps or speed_mps, else the mean of the first that there is
+  /// of RtVAvgxh, WindHubVelH, WindHubVelX, Wind1VelX, WindVelX.
+  std::string wind_column;
+  /// Width of the bins of a wind speed that is a figure (measured); a parameter is taken as it is.
+  double bin_mps = 2.0;
+};
+
+/// The values of the controller column, in the order of the table; none if it has no such column.
+std::vector<std::string> controllers_in(const CsvTable& table, const RunTableOptions& options);
+
+/// The rows of one controller (all rows if the table has no such column). Figures are the columns
+/// with a unit in brackets; rows with a status other than "done" are counted and left out. Throws
+/// lac::Error with file and line: two rows of one key, no number where one must be, no wind column,
+/// a condition that is none or leaves no row.
+RunTable runs_of_table(const CsvTable& table, const std::string& controller,
+                       const RunTableOptions& options);
+
+/// The time series of a folder, their names without ending as keys; not those beside a run,
+/// <name>.lac.* and <name>.wind.*. Throws lac::Error.
+RunTable runs_of_folder(const std::filesystem::path& folder, const FigureOptions& figures,
+                        const RunTableOptions& options);
+
+}  // namespace lac::sim

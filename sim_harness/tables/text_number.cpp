@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/tables/text_number.hpp"
+
+#include <charconv>
+#include <limits>
+#include <string>
+
+#include "core/suggest.hpp"
+
+namespace lac::sim {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+std::optional<double> plain_number(std::string_view word) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// "1.5D+02" and "1.5-101" with an E in its place; the word itself if it has neither.
+std::string with_exponent_letter(std::string_view word) {
+  std::string text(word);
+  const std::size_t letter = text.find_first_of("dD");
+  if (letter != std::string::npos) {
+    text[letter] = 'e';
+    return text;
+  }
+  const std::size_t sign = text.find_last_of("+-");
+  if (sign != std::string::npos && sign > 0) text.insert(sign, 1, 'e');
+  return text;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  std::string_view word = trimmed(text);
+  if (word.empty() || equal_ignoring_case(word, "na") || equal_ignoring_case(word, "n/a"))
+    return std::numeric_limits<double>::quiet_NaN();
+  if (word.starts_with('+')) word.remove_prefix(1);
+  if (const auto value = plain_number(word)) return value;
+  return plain_number(with_exponent_letter(word));
+}
+
+}  // namespace lac::sim
