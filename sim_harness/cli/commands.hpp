@@ -13,6 +13,7 @@ struct RunOptions {
   std::string case_file;
   std::vector<std::string> overrides;  // "key=value"
   std::string output_folder;           // empty: as the case says
+  bool mark = false;                   // leave a marker in output_folder, as in a campaign
 };
 
 /// `lac run`: flies a case, prints its table, writes its files.

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "core/suggest.hpp"
+#include "sim_harness/cli/analysis_options.hpp"
+#include "sim_harness/cli/campaign_command.hpp"
 #include "sim_harness/cli/commands.hpp"
+#include "sim_harness/cli/design_command.hpp"
 #include "sim_harness/cli/migrate_command.hpp"
 #include "sim_harness/cli/wind_options.hpp"
 
@@ -60,7 +63,10 @@ int run_program(int argc, char** argv) {
   run_command->add_option("--set", run.overrides, "Replace a value, e.g. time.duration_s=120")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  run_command->add_option("--output", run.output_folder, "Folder for the results");
+  CLI::Option* run_output =
+      run_command->add_option("--output", run.output_folder, "Folder for the results");
+  run_command->add_flag("--mark", run.mark, "Leave a file done or failed there, as in a campaign")
+      ->needs(run_output);
 
   std::string wrapper_input;
   CLI::App* check_command = app.add_subcommand(
@@ -79,7 +85,18 @@ int run_program(int argc, char** argv) {
   migrate_command->add_option("-o,--output", migrate.output, "File to write; without it, printed");
   migrate_command->add_flag("--force", migrate.force, "Replace a file that is there already");
 
+  lac::sim::CampaignCommand campaign(app);
   lac::sim::WindOptions wind(app);
+  lac::sim::AnalysisOptions analysis(app);
+
+  lac::sim::DesignOptions design;
+  CLI::App* design_command = app.add_subcommand(
+      "design", "Compute the feedforward's low-pass and buffer from turbulence, rotor and lidar");
+  design_command->add_option("file", design.file, "Design file (YAML)")->required();
+  design_command->add_option("--set", design.overrides, "Replace a value, e.g. yaw_error_deg=10")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  design_command->add_option("-o,--output", design.output_folder, "Folder for the results");
 
   CLI::App* records_command = app.add_subcommand("records", "Print the map of records");
 
@@ -96,7 +113,10 @@ int run_program(int argc, char** argv) {
   if (check_command->parsed()) return lac::sim::check_command(wrapper_input, std::cout), 0;
   if (trace_command->parsed()) return lac::sim::trace_command(trace_file, std::cout), 0;
   if (migrate_command->parsed()) return lac::sim::migrate_command(migrate, std::cout), 0;
+  if (campaign.parsed()) return campaign.run(std::cout);
   if (wind.parsed()) return wind.run(std::cout);
+  if (analysis.parsed()) return analysis.run(std::cout), 0;
+  if (design_command->parsed()) return lac::sim::design_command(design, std::cout), 0;
   if (records_command->parsed()) return lac::sim::print_records(std::cout), 0;
   std::cout << app.help();
   return 0;

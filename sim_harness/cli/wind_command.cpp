@@ -46,6 +46,10 @@ RotorWindParams rotor_of(const LoadedWind& wind, const WindStatsOptions& o) {
 }  // namespace
 
 void wind_convert_command(const WindConvertOptions& o, std::ostream& out) {
+  if (o.planes) {
+    const WindSection read = read_wind_case(o.input, o.file.overrides);
+    return write_planes(o.output, read.wind, o.file.box_order, out);
+  }
   write_wind(o.output, load_wind(o.input, o.file), o.sampling, o.file.box_order, out);
 }
 

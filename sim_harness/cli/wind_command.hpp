@@ -12,6 +12,7 @@ struct WindConvertOptions {
   std::filesystem::path output;
   WindFileOptions file;
   WindSamplingOptions sampling;
+  bool planes = false;  // of evolving wind: all of them, not the rotor's alone
 };
 
 /// `lac wind make` and `lac wind convert`: the wind of a case file or wind file as another file.

@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "sim_harness/lidar/beam_extent.hpp"
+#include "sim_harness/run/case_file.hpp"
 #include "sim_harness/turbine/turbine_params.hpp"
 #include "sim_harness/wind/evolving_wind.hpp"
 #include "sim_harness/wind/uniform_file.hpp"
@@ -14,25 +16,37 @@ namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
 
+void read_rotor(YamlReader& in, WindSurroundings& around) {
+  if (!in.has("turbine")) {
+    around.hub_height_m = in.number("hub_height_m", Range::positive());
+    around.rotor_radius_m = in.number("rotor_radius_m", Range::positive());
+    return;
+  }
+  const TurbineParams turbine = load_turbine(in.existing_file("turbine"));
+  around.hub_height_m = turbine.hub_height_m;
+  around.rotor_radius_m = turbine.rotor.radius_m;
+}
+
 WindSurroundings read_surroundings(YamlReader& in) {
   WindSurroundings around;
   around.seed = static_cast<std::uint64_t>(in.integer("seed", 1, Range::between(0, 2147483647)));
-  if (in.has("turbine")) {
-    const TurbineParams turbine = load_turbine(in.existing_file("turbine"));
-    around.hub_height_m = turbine.hub_height_m;
-    around.rotor_radius_m = turbine.rotor.radius_m;
-    return around;
-  }
-  around.hub_height_m = in.number("hub_height_m", Range::positive());
-  around.rotor_radius_m = in.number("rotor_radius_m", Range::positive());
+  read_rotor(in, around);
+  if (in.has("lidar"))
+    around.lidar = wind_demand(read_case_lidar(in.map("lidar")).params, around.hub_height_m);
   return around;
+}
+
+/// Of wind that evolves the rotor plane is enough, unless turning moves it.
+std::unique_ptr<WindField> make_rotor_wind(const WindCase& wind) {
+  const WindDemand nothing_upwind;
+  return make_wind(wind, wind.direction.turns() ? nullptr : &nothing_upwind);
 }
 
 LoadedWind load_case_wind(const fs::path& file, const WindFileOptions& options) {
   WindSection read = read_wind_case(file, options.overrides);
   LoadedWind loaded;
   loaded.name = file.filename().string() + ": " + describe(read.wind);
-  loaded.field = make_wind(read.wind);
+  loaded.field = make_rotor_wind(read.wind);
   loaded.made_of = std::move(read.wind);
   loaded.hub_height_m =
       options.hub_height_m > 0.0 ? options.hub_height_m : read.around.hub_height_m;
@@ -100,7 +114,7 @@ bool begins_with_negative_number(const fs::path& file) {
 
 const GriddedWind* LoadedWind::gridded() const {
   if (const auto* evolving = dynamic_cast<const EvolvingWind*>(field.get()))
-    return &evolving->planes().front().wind;
+    return &evolving->rotor_plane();
   return dynamic_cast<const GriddedWind*>(field.get());
 }
 

@@ -86,6 +86,8 @@ WindOptions::WindOptions(CLI::App& app)
   make_->add_option("-o,--output", make_options_.output, "File to write: .bts, .wnd, .bin, .hh")
       ->required();
   add_convert_options(*make_, make_options_);
+  make_->add_flag("--planes", make_options_.planes,
+                  "Of wind that evolves every plane, one file each, not the rotor's alone");
   convert_->add_option("input", convert_options_.input, "Wind file or case file")->required();
   convert_->add_option("output", convert_options_.output, "File to write: .bts, .wnd, .bin, .hh")
       ->required();

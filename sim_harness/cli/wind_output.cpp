@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "sim_harness/run/evolution_case.hpp"
 #include "sim_harness/wind/sampled_field.hpp"
 #include "sim_harness/wind/uniform_file.hpp"
 
@@ -104,6 +105,21 @@ void write_wind(const fs::path& file, const LoadedWind& wind, const WindSampling
     return write_gridded(file, kind, *wind.gridded(), wind.name, box_order, out);
   const GridSpec grid = grid_of(sampling, wind.hub_height_m, file);
   write_gridded(file, kind, sampled_field(*wind.field, grid), wind.name, box_order, out);
+}
+
+void write_planes(const fs::path& file, const WindCase& wind, BoxOrder box_order,
+                  std::ostream& out) {
+  const WindFileKind kind = kind_to_write(file, false);
+  if (kind == WindFileKind::kUniform)
+    throw Error(file.string() + ": planes have a grid: expected the ending .bts, .wnd or .bin");
+  make_planes(wind, [&](double distance_m, const GriddedWind& plane) {
+    std::ostringstream distance;
+    distance << '_' << distance_m << 'm';
+    const fs::path name = file.stem().string() + distance.str() + file.extension().string();
+    const std::string description =
+        describe(wind) + ", plane " + distance.str().substr(1) + " up-wind";
+    write_gridded(file.parent_path() / name, kind, plane, description, box_order, out);
+  });
 }
 
 }  // namespace lac::sim

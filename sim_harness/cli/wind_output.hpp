@@ -25,4 +25,9 @@ struct WindSamplingOptions {
 void write_wind(const std::filesystem::path& file, const LoadedWind& wind,
                 const WindSamplingOptions& sampling, BoxOrder box_order, std::ostream& out);
 
+/// The planes of evolving wind one by one, each in a file of its own: FILE with _0m, _50m, ...
+/// before its ending. Throws lac::Error if the wind does not evolve or the format has no grid.
+void write_planes(const std::filesystem::path& file, const WindCase& wind, BoxOrder box_order,
+                  std::ostream& out);
+
 }  // namespace lac::sim

@@ -12,7 +12,8 @@ struct TheoryOfSource {
   const FlowShape& shape;
   const std::string& name;
 
-  std::unique_ptr<TurbulenceTheory> operator()(const KaimalFieldParams& p) const {
+  std::unique_ptr<TurbulenceTheory> operator()(const KaimalWind& wind) const {
+    const KaimalFieldParams& p = wind.field;
     KaimalModel model = p.model;
     model.u.sigma_mps *= shape.fluctuation_scale[0];
     model.v.sigma_mps *= shape.fluctuation_scale[1];

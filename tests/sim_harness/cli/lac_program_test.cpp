@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "sim_harness/run/outb_reader.hpp"
 #include "sim_harness/run/probe_case.hpp"
+#include "sim_harness/tables/outb_reader.hpp"
 
 namespace lac::sim {
 namespace {

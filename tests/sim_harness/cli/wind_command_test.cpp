@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "sim_harness/run/outb_reader.hpp"
+#include "sim_harness/tables/outb_reader.hpp"
 #include "sim_harness/wind/bladed_file.hpp"
 #include "sim_harness/wind/bts_file.hpp"
 #include "sim_harness/wind/uniform_file.hpp"

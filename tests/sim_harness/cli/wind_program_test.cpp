@@ -56,6 +56,21 @@ TEST_F(WindProgramTest, MakeConvertStats) {
   EXPECT_THAT(folder_.read("out.txt"), HasSubstr("within 50.0 m about 90.0 m"));
 }
 
+// --planes: each plane of evolving wind in a file, the rotor's that of the plain make.
+TEST_F(WindProgramTest, Planes) {
+  const std::string evolving = " --set 'wind.evolution={planes_m: [50, 62.5]}'";
+  ASSERT_EQ(lac("make wind.yaml -o all.bts --planes" + evolving), 0) << error();
+  EXPECT_THAT(folder_.read("out.txt"), HasSubstr("wrote all_62.5m.bts: 256 x 5 x 5 points"));
+  ASSERT_EQ(lac("make wind.yaml -o one.bts" + evolving), 0) << error();
+  const auto u = [&](const char* name) {
+    return read_bts(folder_.file(name)).grid().at(7, 2, 3, 0);
+  };
+  EXPECT_EQ(u("all_0m.bts"), u("one.bts"));
+  EXPECT_NE(u("all_50m.bts"), u("one.bts"));
+  EXPECT_EQ(lac("make wind.yaml -o all.bts --planes"), 1);
+  EXPECT_THAT(error(), HasSubstr("expected wind with the key evolution"));
+}
+
 // --grid puts a uniform wind on points; 30 deg to the right at the end.
 TEST_F(WindProgramTest, Grid) {
   ASSERT_EQ(lac("make edc.yaml -o e.bts --grid 3 4 20 30 --duration 20 --time-step 0.5"), 0);
