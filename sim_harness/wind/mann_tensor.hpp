@@ -76,7 +76,8 @@ class MannTensor {
   /// F_ij(k1, dy, dz) [m^3/s^2], two-sided in k1, the integral of Phi e^(i(k2 dy + k3 dz))
   /// e^(-dt/tau_e) over k2 and k3 (GUO 8, 17); the second point lies at (+dy, +dz) of the first.
   /// The nodes must resolve the oscillation: measured error, relative to the one-point spectrum,
-  /// with 301 nodes 3e-5 at 20 m, 2e-4 at 60 m, 1e-3 at 150 m; with 601 nodes 1e-4 at 150 m.
+  /// with 301 nodes 3e-5 at 20 m, 2e-4 at 60 m, 1e-3 at 150 m; with 601 nodes 1e-4 at 150 m; while
+  /// k1 r < 6, beyond which the nodes no longer resolve the oscillation (0.03 at k1 r = 24).
   CrossSpectra cross_spectra(double k1_radpm, const Separation& separation, int nodes = 301) const;
   /// One-point spectra F_ij(k1), two-sided.
   SpectralTensor spectra(double k1_radpm, int nodes = 101) const;

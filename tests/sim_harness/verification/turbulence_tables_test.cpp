@@ -30,7 +30,7 @@ FrequencyTable table(const std::string& model, const Class& c) {
 }
 
 // Mann, three classes: spectra to 1e-4, coherence to 3e-3 where the nodes of
-// cross_spectra() resolve the separation (k1 r < 6; beyond, coherence is below 0.02).
+// cross_spectra() resolve the separation (k1 r < 6).
 TEST(TurbulenceTables, Mann) {
   for (const Class& c : kClasses) {
     const MannTensor tensor(stability_mann(c.stability));
