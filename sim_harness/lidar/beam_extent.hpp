@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim_harness/lidar/beam_samples.hpp"
@@ -11,11 +12,13 @@
 namespace lac::sim {
 
 /// Where a lidar will ask for the wind, and how far motion may take these places: gate centres
-/// and every point of every gate, nacelle at rest; a spinner in all its positions.
+/// at rest and every point of every gate, the tower top at tower_positions_m() of the mounting, a
+/// spinner in all its positions.
 WindDemand wind_demand(const LidarParams& lidar, double hub_height_m);
 
 /// Whether beams stay where there is wind. All functions throw lac::Error that names beam, gate,
-/// place and by how far; with motion also the time.
+/// place and by how far; with motion also the time. A spinner is looked at in 72 positions; what
+/// a point r off its axis reaches between them, r (1 - cos(pi/72)) farther, is allowed for.
 class BeamExtent {
  public:
   BeamExtent(const std::vector<BeamSamples>& beams, const Mounting& mounting,
@@ -24,19 +27,27 @@ class BeamExtent {
   /// At rest: a gate behind the rotor plane, a volume that reaches behind the lidar, into the
   /// ground or to a place that the field has not kept.
   void check_at_rest() const;
-  /// Some beams at this time, moved as far as can be known before the run: by the platform, by a
-  /// spinner in all its positions; the tower top at rest, kTowerTravel_m earlier or later in time.
+  /// Fields and ground, for some beams at this time, moved as far as can be known before the run:
+  /// by the platform, by a spinner in all its positions; the tower top at rest, 3 m earlier or
+  /// later in time.
   void check_planned(std::size_t first_beam, std::size_t count, double time_s) const;
-  /// One beam as it is.
-  void check_now(std::size_t beam, const LidarPose& pose, double time_s) const {
-    check_beam(beam, pose, time_s, 0.0);
-  }
+  /// One beam as it is, and whether the field has kept every place it sees; names tower_x_m.
+  void check_now(std::size_t beam, const LidarPose& pose, double time_s, double tower_x_m) const;
 
  private:
-  bool is_inside(const Vec3& point_I_m, double time_s, double travel_m) const;
+  /// How far a place must stay away from the edges of the field.
+  struct Distance {
+    double along_m = 0.0;   // the wind
+    double across_m = 0.0;  // also from the ground
+  };
+  bool is_inside(const Vec3& point_I_m, double time_s, Distance keep) const;
+  std::string fault_at(const Vec3& point_I_m, double time_s, Distance keep) const;
+  double between_positions_m(std::size_t beam) const;
   void check_gate_at_rest(std::size_t beam, std::size_t gate, const LidarPose& pose) const;
-  void check_beam(std::size_t beam, const LidarPose& pose, double time_s, double travel_m) const;
-  void report(std::size_t beam, const LidarPose& pose, double time_s, double travel_m) const;
+  void check_beam(std::size_t beam, const LidarPose& pose, double time_s, Distance keep) const;
+  void report(std::size_t beam, const LidarPose& pose, double time_s, Distance keep) const;
+  void report_not_kept(std::size_t beam, const Vec3& point_I_m, double range_m, double time_s,
+                       double tower_x_m) const;
 
   const std::vector<BeamSamples>& beams_;
   const Mounting& mounting_;

@@ -10,6 +10,9 @@ CarrierToNoiseParams read_fluctuation(YamlReader& in, CarrierToNoiseParams p) {
   p.threshold_db = in.number("threshold_db", Range::between(-60.0, 60.0));
   p.scatter_db = in.number("scatter_db", p.scatter_db, Range::not_negative());
   p.drift_db = in.number("drift_db", p.drift_db, Range::not_negative());
+  if (in.has("drift_time_s") && !in.has("drift_db")) {
+    in.fail("drift_time_s", "there is no drift_db that drifts");
+  }
   p.drift_time_s = in.number("drift_time_s", p.drift_time_s, Range::positive());
   return p;
 }
@@ -23,10 +26,12 @@ CarrierToNoiseParams read_carrier_to_noise(YamlReader& in) {
   p.enabled = true;
   p.reference_db = in.number("reference_db", Range::between(-60.0, 60.0));
   p.constant = in.choice("over_range", 0, {"pulsed", "constant"}) == 1;
-  if (p.constant) return read_fluctuation(in, p);
   p.reference_range_m = in.number("reference_range_m", p.reference_range_m, positive);
   p.rayleigh_length_m = in.number("rayleigh_length_m", p.rayleigh_length_m, not_negative);
   p.focus_range_m = in.number("focus_range_m", p.focus_range_m, positive);
+  if (in.has("focus_range_m") && !in.has("rayleigh_length_m")) {
+    in.fail("focus_range_m", "has no effect without rayleigh_length_m beside it");
+  }
   p.extinction_per_km = in.number("extinction_per_km", p.extinction_per_km, not_negative);
   return read_fluctuation(in, p);
 }

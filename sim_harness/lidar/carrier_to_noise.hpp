@@ -24,7 +24,8 @@ struct CarrierToNoiseParams {
 };
 
 /// Map `carrier_to_noise`: reference_db, threshold_db and, with defaults, over_range (pulsed;
-/// constant) and the others above. Throws lac::Error.
+/// constant, which leaves those of the range unused) and the others above. Throws lac::Error, also
+/// for a drift_time_s without drift_db and a focus_range_m without rayleigh_length_m.
 CarrierToNoiseParams read_carrier_to_noise(YamlReader& in);
 
 /// Carrier-to-noise ratio of a pulsed lidar over the range R along the beam:

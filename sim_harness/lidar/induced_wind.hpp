@@ -24,6 +24,7 @@ class InducedWind final : public WindField {
   }
   double mean_speed_mps() const override { return field_.mean_speed_mps(); }
   WindExtent extent() const override { return field_.extent(); }
+  double period_s() const override { return field_.period_s(); }
   bool holds(const Vec3& position_I_m) const override { return field_.holds(position_I_m); }
   std::vector<DiskPoint> disk_points(double hub_height_m, double radius_m) const override {
     return field_.disk_points(hub_height_m, radius_m);

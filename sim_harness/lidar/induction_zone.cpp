@@ -53,14 +53,20 @@ InductionParams read_induction(YamlReader& in) {
   InductionParams p;
   p.model = static_cast<InductionModel>(
       in.choice("model", {"none", "one_dimensional", "vortex_cylinder"}));
-  if (p.model == InductionModel::kNone) return p;
-  p.follows_thrust = in.text("thrust_coefficient") == "turbine";
-  if (p.follows_thrust) {
-    p.time_constant_s = in.number("time_constant_s", p.time_constant_s, Range::not_negative());
-  } else {
-    p.thrust_coefficient = in.number("thrust_coefficient", Range::between(0.0, kLargestThrust));
+  const bool is_off = p.model == InductionModel::kNone;
+  if (!is_off || in.has("thrust_coefficient")) {
+    p.follows_thrust = in.text("thrust_coefficient") == "turbine";
+    if (!p.follows_thrust) {
+      p.thrust_coefficient = in.number("thrust_coefficient", Range::between(0.0, kLargestThrust));
+    }
   }
-  return p;
+  if (in.has("time_constant_s")) {
+    p.time_constant_s = in.number("time_constant_s", Range::positive());
+    if (!is_off && !p.follows_thrust) {
+      in.fail("time_constant_s", "expected thrust_coefficient: turbine, a number does not change");
+    }
+  }
+  return is_off ? InductionParams{} : p;
 }
 
 InductionZone::InductionZone(const InductionParams& params, double rotor_radius_m,

@@ -38,7 +38,8 @@ struct InductionParams {
 };
 
 /// Map `induction`: model (none, one_dimensional, vortex_cylinder), thrust_coefficient (a number,
-/// or `turbine`), time_constant_s. Throws lac::Error.
+/// or `turbine`), time_constant_s. With `none` the others may be there and are checked. Throws
+/// lac::Error.
 InductionParams read_induction(YamlReader& in);
 
 /// The wind up-wind of a rotor whose axis is x of frame I:

@@ -29,9 +29,9 @@ LidarFaultInjector::LidarFaultInjector(const LidarFault& fault, int beam_count)
 
 bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) {
   if (fault_.kind == LidarFaultKind::kNone || !is_new) return is_new;
-  const auto beam = static_cast<std::size_t>(m.beam_id);
+  LidarMeasurement& last_good = last_good_[static_cast<std::size_t>(m.beam_id)];
   if (time_s < fault_.start_s || time_s >= fault_.end_s) {
-    last_good_[beam] = m;
+    last_good = m;
     last_beam_ = m.beam_id;
     return true;
   }
@@ -44,10 +44,15 @@ bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) 
       set_all_speeds(m, std::numeric_limits<double>::quiet_NaN());
       break;
     case LidarFaultKind::kStuck:
-      if (last_good_[beam].gate_count == m.gate_count) m.gates = last_good_[beam].gates;
+      if (last_good.gate_count == 0) last_good = m;
+      m.gates = last_good.gates;
       break;
     case LidarFaultKind::kFrozen:
-      if (last_beam_ >= 0) m = last_good_[static_cast<std::size_t>(last_beam_)];
+      if (last_beam_ < 0) {
+        last_good = m;
+        last_beam_ = m.beam_id;
+      }
+      m = last_good_[static_cast<std::size_t>(last_beam_)];
       break;
     case LidarFaultKind::kOutOfRange:
       set_all_speeds(m, 999.0);

@@ -29,7 +29,8 @@ struct LidarFault {
 /// Keys kind (none, dead, nan, stuck, frozen, 999), start_s, end_s. Throws lac::Error.
 LidarFault read_lidar_fault(YamlReader& in);
 
-/// Stands between a lidar and its reader and spoils what passes while the fault lasts.
+/// Stands between a lidar and its reader and spoils what passes while the fault lasts. What came
+/// before nothing else, as the first measurement during a fault from the start, counts as good.
 class LidarFaultInjector {
  public:
   LidarFaultInjector(const LidarFault& fault, int beam_count);

@@ -19,7 +19,9 @@ OutageParams read_outages(YamlReader& in) {
   p.share = in.number("share", p.share, share);
   p.per_gate = in.choice("of", 0, {"measurements", "gates"}) == 1;
   p.burst_share = in.number("burst_share", p.burst_share, share);
-  if (p.burst_share > 0.0) p.burst_length_s = in.number("burst_length_s", Range::positive());
+  if (p.burst_share > 0.0 || in.has("burst_length_s")) {
+    p.burst_length_s = in.number("burst_length_s", Range::positive());
+  }
   return p;
 }
 

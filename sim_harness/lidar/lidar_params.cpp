@@ -2,6 +2,7 @@
 #include "sim_harness/lidar/lidar_params.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "sim_harness/lidar/beam_table.hpp"
@@ -23,7 +24,10 @@ LidarParams read_lidar(YamlReader& in) {
   const auto& beams = p.scan.beams;
   const bool all_have_gates = std::all_of(
       beams.begin(), beams.end(), [](const LidarBeam& beam) { return !beam.gates_m.empty(); });
-  if (!all_have_gates || in.has("gates_m")) p.gates_m = read_gates(in);
+  if (all_have_gates && in.has("gates_m")) {
+    in.fail("gates_m", "every beam has gates of its own, no beam is left for these");
+  }
+  if (!all_have_gates) p.gates_m = read_gates(in);
   p.gates_along_beam = in.choice("gates_along", {"beam", "axis"}) == 0;
   p.weighting = read_range_weighting(in);
   p.mounting = read_mounting(in);

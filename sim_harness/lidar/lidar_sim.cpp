@@ -51,6 +51,12 @@ void LidarSim::check_timing() const {
          << " s; a controller takes one beam per step at most";
     throw Error(text.str());
   }
+  if (clock_.end_s() > setting_.end_time_s + kTimeRounding_s) {
+    text << "lidar: the first measurement is complete after " << clock_.end_s()
+         << " s, the run ends at " << setting_.end_time_s
+         << " s; expected a shorter beam_time_s or a longer run";
+    throw Error(text.str());
+  }
   const double handing_over_s = static_cast<double>(beams_.size()) * step_s;
   if (!scan.simultaneous || handing_over_s * (1.0 - kRounding) <= scan.scan_time_s()) return;
   text << "lidar: " << beams_.size() << " beams taken at once need as many control steps, "
@@ -63,12 +69,20 @@ void LidarSim::check_extent() const {
   mounting_.platform().require_until(setting_.end_time_s);
   extent_.check_at_rest();
   extent_.check_planned(0, beams_.size(), setting_.end_time_s);
-  if (mounting_.platform().is_still()) return;
-  for (ScanClock plan = clock_; plan.end_s() <= setting_.end_time_s; plan.next()) {
-    const ScanSlot& slot = plan.slot();
-    for (const int sample : {0, params_.scan.samples_per_beam - 1}) {
-      extent_.check_planned(slot.first_beam, slot.beam_count, plan.sample_time_s(sample));
-    }
+  ScanClock plan = clock_;
+  if (mounting_.platform().is_still()) {  // of what changes with time alone, the first is enough
+    for (std::size_t i = 0; i < plan.slots_per_scan(); ++i, plan.next()) check_samples(plan, 1);
+    return;
+  }
+  for (; plan.sample_time_s(0) <= setting_.end_time_s; plan.next()) {
+    check_samples(plan, params_.scan.samples_per_beam);
+  }
+}
+
+void LidarSim::check_samples(const ScanClock& plan, int count) const {
+  const ScanSlot& slot = plan.slot();
+  for (int i = 0; i < count && plan.sample_time_s(i) <= setting_.end_time_s; ++i) {
+    extent_.check_planned(slot.first_beam, slot.beam_count, plan.sample_time_s(i));
   }
 }
 
@@ -97,12 +111,12 @@ void LidarSim::sample_slot(double time_s, const TurbineState& turbine) {
   const LidarPose pose = mounting_.pose(turbine, time_s);
   const ScanSlot& slot = clock_.slot();
   for (std::size_t b = slot.first_beam; b < slot.first_beam + slot.beam_count; ++b) {
-    sample_beam(b, pose, time_s);
+    sample_beam(b, pose, time_s, turbine.tower_x_m);
   }
 }
 
-void LidarSim::sample_beam(std::size_t b, const LidarPose& pose, double time_s) {
-  extent_.check_now(b, pose, time_s);
+void LidarSim::sample_beam(std::size_t b, const LidarPose& pose, double time_s, double tower_x_m) {
+  extent_.check_now(b, pose, time_s, tower_x_m);
   const BeamSamples& beam = beams_[b];
   const Vec3 dir_I = pose.R_IL * beam.dir_L;
   for (std::size_t i = 0; i < beam.points_m.size(); ++i) {

@@ -39,8 +39,9 @@ struct LidarSetting {
 class LidarSim {
  public:
   /// The field must outlive this object. Throws lac::Error for a beam without gates or with more
-  /// than the lidar block carries, if the beam time is shorter than the control step, if beams
-  /// taken at once cannot be handed over within a scan, or for a beam that BeamExtent refuses.
+  /// than the lidar block carries, if the beam time is shorter than the control step or the first
+  /// one longer than the run, if beams taken at once cannot be handed over within a scan, or for a
+  /// beam that BeamExtent refuses.
   LidarSim(LidarParams params, const WindField& field, const LidarSetting& setting);
   LidarSim(const LidarSim&) = delete;
   LidarSim& operator=(const LidarSim&) = delete;
@@ -54,9 +55,10 @@ class LidarSim {
  private:
   void check_timing() const;
   void check_extent() const;
+  void check_samples(const ScanClock& plan, int count) const;
   void advance_scan(double now_s, const TurbineState& turbine);
   void sample_slot(double time_s, const TurbineState& turbine);
-  void sample_beam(std::size_t beam, const LidarPose& pose, double time_s);
+  void sample_beam(std::size_t beam, const LidarPose& pose, double time_s, double tower_x_m);
   void add_pose(const LidarPose& pose, LidarMeasurement& sum) const;
   void complete_slot();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/lidar/lidar_weaknesses.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <sstream>
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kFaintestEcho_db = -20.0;  // without a model of the carrier-to-noise ratio
 constexpr double kNoEcho_db = -60.0;        // a beam that ends at a blade
+constexpr double kTipTolerance = 0.05;      // of the rotor radius
 
 std::span<LidarGate> gates_of(LidarMeasurement& m) noexcept {
   return {m.gates.data(), static_cast<std::size_t>(m.gate_count)};
@@ -25,14 +28,28 @@ void read_map(YamlReader& in, const char* key, Params (*read)(YamlReader&), Para
   map.finish();
 }
 
-void check(const LidarWeaknessParams& params, const LidarWeaknessSetting& setting) {
+void check_blades(const BladeShape& blade, const LidarWeaknessSetting& setting) {
   std::ostringstream text;
-  if (params.blade_blockage.enabled && !setting.turns_with_rotor && setting.position_N_m.x <= 0.0) {
-    text << "lidar: weaknesses: blade_blockage: the lidar lies in the rotor plane or ahead of it "
-            "(offset_m: x = "
+  text << "lidar: weaknesses: blade_blockage: ";
+  if (setting.turns_with_rotor) {
+    text << "no blade passes a lidar on the spinner, expected mounted_on: nacelle";
+  } else if (setting.position_N_m.x <= 0.0) {
+    text << "the lidar lies in the rotor plane or ahead of it (offset_m: x = "
          << setting.position_N_m.x << " m), expected it behind, x above 0";
-    throw Error(text.str());
+  } else if (std::abs(blade.tip_m() - setting.rotor_radius_m) >
+             kTipTolerance * setting.rotor_radius_m) {
+    text << "blade: its tip is at radius_m = " << blade.tip_m() << ", the rotor's radius is "
+         << setting.rotor_radius_m << " m; expected the blade of this rotor, within "
+         << 100.0 * kTipTolerance << " %";
+  } else {
+    return;
   }
+  throw Error(text.str());
+}
+
+void check(const LidarWeaknessParams& params, const LidarWeaknessSetting& setting) {
+  if (params.blade_blockage.enabled) check_blades(params.blade_blockage.blade, setting);
+  std::ostringstream text;
   for (const HardTarget& target : params.hard_targets) {
     if (target.beam < setting.beams) continue;
     text << "lidar: weaknesses: hard_targets: beam = " << target.beam + 1
@@ -54,6 +71,10 @@ LidarWeaknessParams read_lidar_weaknesses(YamlReader& in) {
   read_map(in, "carrier_to_noise", read_carrier_to_noise, p.carrier_to_noise);
   if (in.has("hard_targets")) p.hard_targets = read_hard_targets(in, "hard_targets");
   read_map(in, "speed_noise", read_speed_noise, p.speed_noise);
+  if (std::isfinite(p.speed_noise.doubling_cnr_db) && !p.carrier_to_noise.enabled) {
+    in.map("speed_noise")
+        .fail("doubling_cnr_db", "without the map carrier_to_noise there is no CNR to depend on");
+  }
   read_map(in, "blade_blockage", read_blade_blockage, p.blade_blockage);
   read_map(in, "outages", read_outages, p.outages);
   read_map(in, "clock", read_lidar_clock, p.clock);
@@ -66,7 +87,6 @@ LidarWeaknesses::LidarWeaknesses(const LidarWeaknessParams& params,
       weighting_(setting.weighting),
       position_N_m_(setting.position_N_m),
       R_NL_(setting.R_NL),
-      behind_rotor_(!setting.turns_with_rotor),
       hard_targets_(params.hard_targets),
       carrier_to_noise_(params.carrier_to_noise, setting.seed),
       noise_(params.speed_noise, setting.seed),
@@ -74,6 +94,10 @@ LidarWeaknesses::LidarWeaknesses(const LidarWeaknessParams& params,
       outages_(params.outages, setting.interval_s, setting.seed),
       clock_(params.clock) {
   check(params, setting);
+  std::sort(
+      hard_targets_.begin(), hard_targets_.end(), [](const HardTarget& a, const HardTarget& b) {
+        return a.distance_m != b.distance_m ? a.distance_m > b.distance_m : a.cnr_db < b.cnr_db;
+      });
 }
 
 bool LidarWeaknesses::pass(double now_s, const TurbineState& turbine, LidarMeasurement& m,
@@ -100,8 +124,7 @@ void LidarWeaknesses::spoil(double now_s, const TurbineState& turbine,
 bool LidarWeaknesses::blocked(double now_s, const TurbineState& turbine,
                               const LidarMeasurement& m) const noexcept {
   const double azimuth_rad = turbine.azimuth_rad - turbine.rotor_speed_radps * (now_s - m.time_s);
-  return behind_rotor_ &&
-         blades_.blocked({position_N_m_, R_NL_ * m.beam_dir_L}, azimuth_rad, turbine.pitch_rad);
+  return blades_.blocked({position_N_m_, R_NL_ * m.beam_dir_L}, azimuth_rad, turbine.pitch_rad);
 }
 
 void LidarWeaknesses::set_air_echo(LidarMeasurement& m) noexcept {
@@ -112,10 +135,14 @@ void LidarWeaknesses::set_air_echo(LidarMeasurement& m) noexcept {
 
 void LidarWeaknesses::mix_in_targets(LidarMeasurement& m) const noexcept {
   const double own_speed_mps = dot(m.beam_dir_I(), m.velocity_I_mps);
-  for (const HardTarget& target : hard_targets_) {
-    if (!target.met_by(m)) continue;
+  auto first = hard_targets_.begin();
+  for (auto t = first; t != hard_targets_.end(); ++t) {
+    if (t->opaque && t->met_by(m)) first = t;
+  }
+  for (auto t = first; t != hard_targets_.end(); ++t) {
+    if (!t->met_by(m)) continue;
     for (LidarGate& gate : gates_of(m)) {
-      mix_in(target, gate_view(weighting_, gate.range_m, target.distance_m), own_speed_mps, gate);
+      mix_in(*t, gate_view(weighting_, gate.range_m, t->distance_m), own_speed_mps, gate);
     }
   }
 }

@@ -38,6 +38,7 @@ LidarWeaknessParams read_lidar_weaknesses(YamlReader& in);
 struct LidarWeaknessSetting {
   std::uint64_t seed = 1;  // of the case
   int number_of_blades = 3;
+  double rotor_radius_m = 63.0;
   int beams = 1;
   double interval_s = 0.25;  // from one measurement to the next
   RangeWeighting weighting = {};
@@ -49,12 +50,14 @@ struct LidarWeaknessSetting {
 /// Spoils finished measurements, in this order: carrier-to-noise ratio of the air; echoes of hard
 /// targets; speed noise; blades; the threshold of the carrier-to-noise ratio; outages; time stamp
 /// and delivery. A gate that ends up invalid has no speed (not a number). Without a model of the
-/// carrier-to-noise ratio air has 0 dB and a gate behind a hard target is lost below -20 dB.
+/// carrier-to-noise ratio air has 0 dB and a gate behind a hard target is lost below -20 dB. Of the
+/// opaque hard targets that a beam meets the nearest one counts: nothing behind it is seen.
 /// Random numbers of one effect do not depend on the others.
 class LidarWeaknesses {
  public:
-  /// Throws lac::Error for what does not fit the lidar: blades that it does not look through, a
-  /// hard target in a beam that it does not have, impossible bursts.
+  /// Throws lac::Error for what does not fit the lidar: blades that it does not look through or
+  /// that end more than 5 % off the rotor's radius, a hard target in a beam that it does not have,
+  /// impossible bursts.
   LidarWeaknesses(const LidarWeaknessParams& params, const LidarWeaknessSetting& setting);
 
   /// To be called in every controller step, with what the lidar has; gives the new is_new, and a
@@ -73,8 +76,7 @@ class LidarWeaknesses {
   RangeWeighting weighting_;
   Vec3 position_N_m_;
   Rotation R_NL_;
-  bool behind_rotor_;
-  std::vector<HardTarget> hard_targets_;
+  std::vector<HardTarget> hard_targets_;  // the farthest first
   CarrierToNoise carrier_to_noise_;
   SpeedNoise noise_;
   BladeBlockage blades_;

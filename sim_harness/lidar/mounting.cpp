@@ -13,6 +13,7 @@ namespace {
 constexpr double kMostTilt_deg = 45.0;
 constexpr double kMostRoll_deg = 180.0;
 constexpr double kSteepestSlope = 3.0;
+constexpr double kMostTravel_m = 100.0;
 
 Rotation about_y(double angle_rad) {
   return rotation_from_roll_pitch_yaw(0.0, angle_rad, 0.0);
@@ -86,10 +87,23 @@ LidarPose Mounting::rest_pose(double azimuth_rad) const {
   return pose;
 }
 
+std::vector<double> Mounting::tower_positions_m() const {
+  const double side_m = std::max(params_.tower_travel_m - kTowerReach_m, 0.0);
+  const int steps = static_cast<int>(std::ceil(side_m / (2.0 * kTowerReach_m)));
+  std::vector<double> all{0.0};
+  for (int i = 1; i <= steps; ++i) {
+    all.push_back(side_m * i / steps);
+    all.push_back(-all.back());
+  }
+  return all;
+}
+
 double Mounting::greatest_travel_m(double reach_m) const {
   const double from_hub_m = norm(params_.offset_m) + reach_m;
-  const double tower_m = kTowerTravel_m * (1.0 + params_.tower_slope / hub_height_m_ * from_hub_m);
-  const double arm_m = std::abs(hub_height_m_ - platform_.reference_height_m) + from_hub_m;
+  const double tower_m = std::min(params_.tower_travel_m, kTowerReach_m) *
+                         (1.0 + params_.tower_slope / hub_height_m_ * from_hub_m);
+  const double arm_m =
+      std::abs(hub_height_m_ - platform_.reference_height_m) + from_hub_m + params_.tower_travel_m;
   return tower_m + (platform_.is_still() ? 0.0 : platform_.greatest_travel_m(arm_m));
 }
 
@@ -104,6 +118,8 @@ MountingParams read_mounting(YamlReader& in) {
   p.roll_rad = angle("roll_deg", kMostRoll_deg);
   p.yaw_rad = angle("yaw_deg", kMostTilt_deg);
   p.tower_slope = in.number("tower_slope", 0.0, Range::between(0.0, kSteepestSlope));
+  p.tower_travel_m =
+      in.number("tower_travel_m", p.tower_travel_m, Range::between(0.0, kMostTravel_m));
   return p;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "core/units.hpp"
 #include "sim_harness/config/yaml_reader.hpp"
 #include "sim_harness/lidar/platform_motion.hpp"
@@ -8,7 +10,9 @@
 
 namespace lac::sim {
 
-inline constexpr double kTowerTravel_m = 3.0;  // what set-up checks allow for the tower top
+/// Positions of the tower top for which a lidar demands wind lie so close that none between them is
+/// farther than this from one.
+inline constexpr double kTowerReach_m = 3.0;
 
 enum class MountingPlace { kNacelle, kSpinner };
 
@@ -19,9 +23,11 @@ struct MountingParams {
   double tilt_rad = 0.0;  // of the viewing axis, positive looks down
   double roll_rad = 0.0;  // about the viewing axis
   double yaw_rad = 0.0;   // of the viewing axis, positive to its left
-  /// Rotation of the tower top: this times x / hub height, nose down for x > 0. 0: it stays
-  /// upright; 1.5: a uniform cantilever with a force at its top; 2: a parabola.
+  /// Rotation of the tower top: this times x / hub height, the up-wind side up for x > 0. 0: it
+  /// stays upright; 1.5: a uniform cantilever with a force at its top; 2: a parabola.
   double tower_slope = 0.0;
+  /// How far the tower top may move either way: as far a thinned wind field is kept.
+  double tower_travel_m = 10.0;
 };
 
 /// What a perfect inertial unit in the lidar says.
@@ -52,9 +58,13 @@ class Mounting {
   }
   bool turns_with_rotor() const { return params_.place == MountingPlace::kSpinner; }
   const PlatformMotion& platform() const { return platform_; }
+  double hub_height_m() const { return hub_height_m_; }
 
-  /// Bound on the way by which platform and tower top (kTowerTravel_m) take a point that is
-  /// reach_m from the lidar; without what a spinner turns.
+  /// Positions of the tower top, 0 first, that come within kTowerReach_m of all up to
+  /// tower_travel_m either way.
+  std::vector<double> tower_positions_m() const;
+  /// Bound on the way by which the platform, and the tower top from the nearest of these positions,
+  /// take a point that is reach_m from the lidar; without what a spinner turns.
   double greatest_travel_m(double reach_m) const;
 
  private:
@@ -65,8 +75,8 @@ class Mounting {
   LidarPose at_rest_;
 };
 
-/// Keys mounted_on (nacelle, spinner), offset_m, tilt_deg, roll_deg, yaw_deg, tower_slope, all
-/// with defaults. Throws lac::Error.
+/// Keys mounted_on (nacelle, spinner), offset_m, tilt_deg, roll_deg, yaw_deg, tower_slope,
+/// tower_travel_m, all with defaults. Throws lac::Error.
 MountingParams read_mounting(YamlReader& in);
 
 }  // namespace lac::sim

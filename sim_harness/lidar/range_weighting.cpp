@@ -13,9 +13,16 @@ constexpr double kWidestSpacing = 1.5;  // of quadrature points, in standard dev
 constexpr int kMostPoints = 201;
 constexpr int kFewestPoints = 5;
 constexpr int kLorentzianPoints = 21;
+constexpr double kShortest_m = 0.01;
+constexpr double kLongest_m = 1e5;
 
-int fewest_points(const RangeWeighting& w, double spacing) {
-  return 2 * static_cast<int>(std::ceil(w.reach_m() / (spacing * w.sigma_m()) - 1e-9)) + 1;
+Range length_m() {
+  return Range::between(kShortest_m, kLongest_m);
+}
+
+/// Not an int: it may be too large for one.
+double fewest_points(const RangeWeighting& w, double spacing) {
+  return 2.0 * std::ceil(w.reach_m() / (spacing * w.sigma_m()) - 1e-9) + 1.0;
 }
 
 int read_points(YamlReader& in, int fallback, int fewest) {
@@ -26,7 +33,10 @@ int read_points(YamlReader& in, int fallback, int fewest) {
 
 RangeWeighting read_gaussian(YamlReader& in) {
   RangeWeighting w;
-  w.fwhm_m = in.number("fwhm_m", Range::not_negative());
+  w.fwhm_m = in.number("fwhm_m", Range::between(0.0, kLongest_m));
+  if (w.fwhm_m > 0.0 && w.fwhm_m < kShortest_m) {
+    in.fail("fwhm_m", "expected 0 (a point) or at least 0.01");
+  }
   w.points = read_points(in, w.points, kFewestPoints);
   return w;
 }
@@ -34,22 +44,23 @@ RangeWeighting read_gaussian(YamlReader& in) {
 RangeWeighting read_pulse(YamlReader& in) {
   RangeWeighting w;
   w.kind = ProbeKind::kPulse;
-  w.pulse_length_m = in.number("pulse_length_m", Range::positive());
-  w.gate_length_m = in.number("gate_length_m", Range::positive());
-  const int fewest = fewest_points(w, kWidestSpacing);
+  w.pulse_length_m = in.number("pulse_length_m", length_m());
+  w.gate_length_m = in.number("gate_length_m", length_m());
+  const double fewest = fewest_points(w, kWidestSpacing);
   if (fewest > kMostPoints) {
     in.fail("gate_length_m", "the gate is so much longer than the pulse that more than " +
                                  std::to_string(kMostPoints) + " weighting points were needed");
   }
-  w.points = read_points(in, std::min(fewest_points(w, 1.0), kMostPoints), fewest);
+  const double usual = std::min(fewest_points(w, 1.0), static_cast<double>(kMostPoints));
+  w.points = read_points(in, static_cast<int>(usual), static_cast<int>(fewest));
   return w;
 }
 
 RangeWeighting read_lorentzian(YamlReader& in) {
   RangeWeighting w;
   w.kind = ProbeKind::kLorentzian;
-  w.rayleigh_length_m = in.number("rayleigh_length_m", Range::positive());
-  w.rayleigh_at_m = in.number("rayleigh_at_m", Range::positive());
+  w.rayleigh_length_m = in.number("rayleigh_length_m", length_m());
+  w.rayleigh_at_m = in.number("rayleigh_at_m", length_m());
   w.reach_rayleigh =
       in.number("reach_rayleigh_lengths", w.reach_rayleigh, Range::between(1.0, 1000.0));
   w.points = read_points(in, kLorentzianPoints, kFewestPoints);

@@ -42,7 +42,8 @@ struct RangeWeighting {
 
 /// Keys: probe (gaussian, pulse, continuous_wave, point) and those of the shape:
 /// fwhm_m; pulse_length_m, gate_length_m; rayleigh_length_m, rayleigh_at_m,
-/// reach_rayleigh_lengths; weighting_points. Throws lac::Error.
+/// reach_rayleigh_lengths; weighting_points. Lengths are 0.01 m or more, fwhm_m may be 0. Throws
+/// lac::Error.
 RangeWeighting read_range_weighting(YamlReader& in);
 
 }  // namespace lac::sim

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "sim_harness/lidar/beam_extent.hpp"
+#include "sim_harness/run/lidar_on_board.hpp"
+#include "sim_harness/run/turbulence_case.hpp"
+#include "sim_harness/wind/uniform_wind.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
@@ -65,9 +69,10 @@ std::vector<CaseController> read_controllers(YamlReader& in) {
   return all;
 }
 
-CaseOutputs read_outputs(YamlReader& in, const std::string& case_name) {
+CaseOutputs read_outputs(YamlReader& in, const std::string& case_name, double duration_s) {
   CaseOutputs out;
   out.folder = fs::path("results") / case_name;
+  out.wind_window_s = std::min(out.wind_window_s, duration_s);
   if (!in.has("outputs")) return out;
   YamlReader map = in.map("outputs");
   if (map.has("folder")) out.folder = map.path("folder");
@@ -76,8 +81,24 @@ CaseOutputs read_outputs(YamlReader& in, const std::string& case_name) {
   out.html = map.flag("html", out.html);
   out.wind = map.flag("wind", out.wind);
   out.wind_window_s = map.number("wind_window_s", out.wind_window_s, Range::positive());
+  if (out.wind_window_s > duration_s) {
+    map.fail("wind_window_s", "found " + shortest(out.wind_window_s) +
+                                  ", expected at most time.duration_s = " + shortest(duration_s));
+  }
   map.finish();
   return out;
+}
+
+/// What a lidar needs of no field in particular: all of it but the field's borders.
+void check_lidar(const YamlReader& in, const Case& c) {
+  if (!c.lidar) return;
+  const UniformWind everywhere{UniformWindParams{}};
+  try {
+    LidarOnBoard(c, everywhere);
+  } catch (const Error& e) {
+    const std::string text = e.what(), whose = "lidar: ";
+    in.fail("lidar", text.starts_with(whose) ? text.substr(whose.size()) : text);
+  }
 }
 
 std::uint64_t read_seed(YamlReader& in) {
@@ -128,14 +149,16 @@ Case load_case(const fs::path& file, const std::vector<std::string>& overrides) 
   const std::uint64_t seed = read_seed(in);
   Case c{.file = file, .name = name, .turbine = load_turbine(in.existing_file("turbine"))};
   c.seed = seed;
+  c.time = read_time(in.map("time"));
   if (in.has("lidar")) c.lidar = read_case_lidar(in.map("lidar"));
+  check_lidar(in, c);
   YamlReader wind = in.map("wind");
   c.wind =
       read_wind(wind, {c.turbine.hub_height_m, c.turbine.rotor.radius_m, seed, lidar_demand(c)});
   wind.finish();
+  check_covers_rotor(wind, c.wind);
   c.controllers = read_controllers(in);
-  c.time = read_time(in.map("time"));
-  c.outputs = read_outputs(in, name);
+  c.outputs = read_outputs(in, name, c.time.duration_s);
   in.finish();
   return c;
 }

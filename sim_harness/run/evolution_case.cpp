@@ -9,8 +9,8 @@
 namespace lac::sim {
 namespace {
 
-constexpr double kRotorRaster_m = 5.0;
 constexpr double kRounding_m = 1e-6;
+constexpr double kLeastShare = 0.5;  // of the way of a gate, that of its plane
 
 void check_reach(const YamlReader& in, const PlaneLayout& layout, const WindDemand& lidar) {
   for (const GateCentre& centre : lidar.gates) {
@@ -22,6 +22,22 @@ void check_reach(const YamlReader& in, const PlaneLayout& layout, const WindDema
          << layout.reach_m()
          << " m, half a distance of planes further: add planes, or leave the key out to have one "
             "at each gate";
+    in.fail("planes_m", text.str());
+  }
+}
+
+/// A gate whose nearest plane is at the rotor, or close to it, would see wind that hardly evolves.
+void check_nearness(const YamlReader& in, const PlaneLayout& layout, const WindDemand& lidar) {
+  for (const GateCentre& centre : lidar.gates) {
+    const double distance_m = -centre.position_I_m.x;
+    const double plane_m = layout.distance_m(layout.nearest(distance_m));
+    if (distance_m <= 0.0 || plane_m >= kLeastShare * distance_m) continue;
+    std::ostringstream text;
+    text << "beam " << centre.beam << ", gate " << centre.gate << " of the lidar is centred "
+         << distance_m << " m up-wind; the nearest plane, at " << plane_m
+         << (plane_m > 0.0 ? " m" : " m, the rotor's own")
+         << ", would give it wind that evolves over less than half of its way: add planes near the "
+            "gate, or leave the key out to have one at each gate";
     in.fail("planes_m", text.str());
   }
 }
@@ -51,7 +67,11 @@ std::vector<double> read_planes(YamlReader& in, const WindSurroundings& around) 
   std::vector<double> planes_m = in.numbers("planes_m", Range::positive());
   if (std::ranges::adjacent_find(planes_m, std::ranges::greater_equal{}) != planes_m.end())
     in.fail("planes_m", "expected distances that rise");
-  if (around.lidar) check_reach(in, PlaneLayout(planes_m), *around.lidar);
+  if (around.lidar) {
+    const PlaneLayout layout(planes_m);
+    check_reach(in, layout, *around.lidar);
+    check_nearness(in, layout, *around.lidar);
+  }
   return planes_m;
 }
 
@@ -75,9 +95,9 @@ void make_planes(const WindCase& wind, const TakePlane& take) {
 
 WindDemand turned(const WindDemand& demand, const WindCase& wind) {
   const WindAxes axes(wind.hub_height_m, wind.direction);
-  WindDemand in_field{{}, demand.points_I_m, std::max(demand.margin_m, kRotorRaster_m)};
+  WindDemand in_field{{}, demand.points_I_m, std::max(demand.margin_m, kDiskRaster_m)};
   for (const DiskPoint& p :
-       disk_raster(wind.hub_height_m, wind.rotor_radius_m + kRotorRaster_m, kRotorRaster_m))
+       disk_raster(wind.hub_height_m, wind.rotor_radius_m + kDiskRaster_m, kDiskRaster_m))
     in_field.points_I_m.push_back({0.0, p.y_m, p.z_m});
   for (Vec3& point : in_field.points_I_m) point = axes.place_in_field(point);
   return in_field;

@@ -13,7 +13,8 @@ namespace lac::sim {
 
 /// Key planes_m of a map `evolution`: distances from the rotor [m], rising; without it one plane at
 /// each gate of the case's lidar. Throws lac::Error if there is neither, or if a gate is centred
-/// beyond the last plane by more than half the distance between the last two.
+/// beyond the last plane by more than half the distance between the last two, or its nearest plane
+/// is less than half as far from the rotor as the gate.
 std::vector<double> read_planes(YamlReader& evolution, const WindSurroundings& around);
 
 /// Gives every plane the shape.

@@ -21,11 +21,29 @@ FlowShape read_shape(YamlReader& in, bool with_shear) {
   return shape;
 }
 
-FlowDirection read_direction(YamlReader& in) {
+namespace {
+
+/// From the rotor to the farthest point that the lidar may ask for.
+double wanted_reach_m(const WindDemand& lidar) {
+  double farthest_m = 0.0;
+  for (const Vec3& point : lidar.points_I_m) farthest_m = std::max(farthest_m, -point.x);
+  return farthest_m + lidar.margin_m;
+}
+
+}  // namespace
+
+FlowDirection read_direction(YamlReader& in, const WindDemand* lidar) {
   FlowDirection d;
   d.yaw_rad = rad_from_deg(in.number("yaw_deg", 0.0, Range::between(-79.0, 79.0)));
   d.upflow_rad = rad_from_deg(in.number("upflow_deg", 0.0, Range::between(-79.0, 79.0)));
-  d.reach_m = in.number("reach_m", d.reach_m, Range::not_negative());
+  const double wanted_m = d.turns() && lidar != nullptr ? wanted_reach_m(*lidar) : 0.0;
+  d.reach_m = in.number("reach_m", std::max(d.reach_m, wanted_m), Range::not_negative());
+  if (d.reach_m < wanted_m) {
+    in.fail("reach_m", "found " + shortest(d.reach_m) + ", expected at least " +
+                           shortest(wanted_m) +
+                           ": so far up-wind the lidar measures, motion included (or leave the key "
+                           "out)");
+  }
   return d;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/kaimal_case.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include "sim_harness/run/evolution_case.hpp"
-#include "sim_harness/run/turbulence_case.hpp"
 #include "sim_harness/wind/plane_sampler.hpp"
 #include "sim_harness/wind/stability.hpp"
 
@@ -75,6 +75,15 @@ std::unique_ptr<WindField> make_kaimal_wind(const KaimalWind& wind, const FlowSh
                                             const WindDemand* demand) {
   if (wind.planes_m.empty()) return shaped_field(make_kaimal_field(wind.field), shape);
   return shaped(draw_evolving_kaimal(wind.field, PlaneLayout(wind.planes_m), demand), shape);
+}
+
+SigmaU sigma_u(const KaimalWind& wind) {
+  const KaimalFieldParams& p = wind.field;
+  const double df_hz = 1.0 / p.duration_s;
+  const auto harmonics = static_cast<double>(std::lround(p.duration_s / p.dt_s) / 2);
+  const KaimalComponent& u = p.model.u;
+  return {u.sigma_mps,
+          std::sqrt(u.variance(0.5 * df_hz, (harmonics + 0.5) * df_hz, p.mean_speed_mps))};
 }
 
 void describe(const KaimalWind& wind, std::ostream& out) {

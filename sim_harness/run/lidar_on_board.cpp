@@ -6,11 +6,11 @@ namespace {
 
 LidarWeaknessSetting weakness_setting(const Case& c, const LidarPose& rest) {
   const LidarParams& lidar = c.lidar->params;
-  const std::size_t beams = lidar.scan.beams.size();
   return {.seed = c.seed,
           .number_of_blades = c.turbine.number_of_blades,
-          .beams = static_cast<int>(beams),
-          .interval_s = lidar.scan.scan_time_s() / static_cast<double>(beams),
+          .rotor_radius_m = c.turbine.rotor.radius_m,
+          .beams = static_cast<int>(lidar.scan.beams.size()),
+          .interval_s = lidar.scan.interval_s(),
           .weighting = lidar.weighting,
           .position_N_m = lidar.mounting.offset_m,
           .R_NL = rest.R_IL,

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/mann_case.hpp"
 
+#include <cmath>
 #include <ostream>
+#include <string>
 
 #include "sim_harness/run/evolution_case.hpp"
-#include "sim_harness/run/turbulence_case.hpp"
 #include "sim_harness/wind/iec_wind.hpp"
+#include "sim_harness/wind/mann_source.hpp"
 #include "sim_harness/wind/stability.hpp"
 
 namespace lac::sim {
 namespace {
+
+constexpr double kLongestLife_s = 1e9;  // frozen, and its powers fit into single precision
 
 /// IEC 61400-1: Mann's lifetime, Gamma 3.9, L = 0.8 Lambda_1; evolution of the neutral class.
 MannParams iec_mann(double hub_height_m) {
@@ -32,10 +36,16 @@ MannParams read_model(YamlReader& in, double hub_height_m) {
   return p;
 }
 
+void check_box(const YamlReader& in, const char* key, int box, const char* grid_key, int points) {
+  if (box == 0 || (box % 2 == 0 && box >= points)) return;
+  in.fail(key, "found " + std::to_string(box) + ", expected an even number, at least " + grid_key +
+                   " = " + std::to_string(points));
+}
+
 /// Distances of the planes; time_scale_s goes to the model.
 std::vector<double> read_evolution(YamlReader in, const WindSurroundings& around,
                                    MannParams& model) {
-  model.evolution_s = in.number("time_scale_s", model.evolution_s, Range::positive());
+  model.evolution_s = in.number("time_scale_s", model.evolution_s, {0.0, kLongestLife_s, false});
   std::vector<double> planes_m = read_planes(in, around);
   in.finish();
   return planes_m;
@@ -52,6 +62,8 @@ MannWind read_mann(YamlReader& in, const WindSurroundings& around) {
   read_grid(in, around, p);
   p.box_ny = in.integer("box_points_across", p.box_ny, Range::between(2, 4096));
   p.box_nz = in.integer("box_points_up", p.box_nz, Range::between(2, 4096));
+  check_box(in, "box_points_across", p.box_ny, "points_across", p.ny);
+  check_box(in, "box_points_up", p.box_nz, "points_up", p.nz);
   p.small_eddies = static_cast<SmallEddies>(in.choice("small_eddies", 0, {"folded", "cut"}));
   p.rescale = in.flag("rescale", p.rescale);
   if (in.has("evolution")) wind.planes_m = read_evolution(in.map("evolution"), around, p.model);
@@ -62,6 +74,12 @@ std::unique_ptr<WindField> make_mann_wind(const MannWind& wind, const FlowShape&
                                           const WindDemand* demand) {
   if (wind.planes_m.empty()) return shaped_field(make_mann_field(wind.field), shape);
   return shaped(draw_evolving_mann(wind.field, PlaneLayout(wind.planes_m), demand), shape);
+}
+
+SigmaU sigma_u(const MannWind& wind) {
+  const MannVariance variance = MannSource(wind.field).variance();
+  const double asked_mps = std::sqrt(variance.tensor[kUu]);
+  return {asked_mps, wind.field.rescale ? asked_mps : std::sqrt(variance.box[kUu])};
 }
 
 void describe(const MannWind& wind, std::ostream& out) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/run_case.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <ostream>
@@ -22,6 +21,7 @@ namespace {
 
 constexpr std::size_t kMostWarningsShown = 20;
 constexpr double kRotorWindStep_s = 0.1;
+constexpr double kRounding = 1e-9;
 
 double seconds_now() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -98,15 +98,11 @@ void write_recording(const Case& c, const FlownController& flown, std::vector<fs
 }
 
 /// A period shorter than the run is allowed, but not in silence.
-std::string repetition(const Case& c) {
-  const auto* kaimal = std::get_if<KaimalWind>(&c.wind.source);
-  const auto* mann = std::get_if<MannWind>(&c.wind.source);
-  if (kaimal == nullptr && mann == nullptr) return {};
-  const double period_s = kaimal != nullptr ? kaimal->field.duration_s : mann->field.duration_s;
-  if (period_s >= c.time.duration_s) return {};
+std::string repetition(const Case& c, const WindField& wind) {
+  if (wind.period_s() >= c.time.duration_s * (1.0 - kRounding)) return {};
   std::ostringstream text;
-  text << "note: the wind repeats itself after wind.period_s = " << period_s << " s; the run lasts "
-       << c.time.duration_s << " s\n";
+  text << "note: the wind repeats itself after its period of " << wind.period_s()
+       << " s; the run lasts " << c.time.duration_s << " s\n";
   return text.str();
 }
 
@@ -126,8 +122,7 @@ void create_folder(const fs::path& folder) {
 }
 
 std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) {
-  const double window_s = std::min(c.outputs.wind_window_s, c.time.duration_s);
-  const RotorSignals signals = rotor_signals(wind, rotor_of(c), window_s);
+  const RotorSignals signals = rotor_signals(wind, rotor_of(c), c.outputs.wind_window_s);
   const fs::path file = c.outputs.folder / (c.name + ".wind.outb");
   wind_channels(wind, signals, c.turbine.hub_height_m).write(file, describe(c.wind));
   return file;
@@ -135,11 +130,13 @@ std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) 
 
 }  // namespace
 
-CaseWind make_case_wind(const Case& c) {
+CaseWind make_case_wind(const Case& c) try {
   const WindDemand demand = lidar_demand(c).value_or(WindDemand{});
   std::unique_ptr<WindField> field = make_wind(c.wind, &demand);
   RotorWind rotor(*field, rotor_of(c));
-  return {std::move(field), std::move(rotor)};
+  return {std::move(field), std::move(rotor), held_turbulence(c.wind)};
+} catch (const Error& e) {
+  throw Error(c.file.string() + ": wind: " + e.what());
 }
 
 CaseResult run_case(const Case& c, std::ostream& out) {
@@ -153,7 +150,7 @@ CaseResult run_case(const Case& c, std::ostream& out) {
 CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
   create_folder(c.outputs.folder);
   out << c.name << ": " << c.turbine.name << ", " << describe(c.wind) << '\n'
-      << repetition(c) << std::flush;
+      << wind.note << repetition(c, *wind.field) << std::flush;
 
   const Interruption interruption;
   CaseResult result;

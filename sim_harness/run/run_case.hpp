@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "sim_harness/run/case_file.hpp"
@@ -28,6 +29,7 @@ CaseResult run_case(const Case& c, std::ostream& out);
 struct CaseWind {
   std::unique_ptr<WindField> field;
   RotorWind rotor;
+  std::string note = {};  // held_turbulence()
 };
 
 /// Throws lac::Error.

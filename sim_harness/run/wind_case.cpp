@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/run/wind_case.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "sim_harness/run/evolution_case.hpp"
@@ -13,6 +14,8 @@
 
 namespace lac::sim {
 namespace {
+
+constexpr double kUnsaidShare = 0.02;  // of sigma_u
 
 struct Kind {
   const char* name;
@@ -76,7 +79,7 @@ WindCase read_wind(YamlReader& in, const WindSurroundings& around) {
                 .rotor_radius_m = around.rotor_radius_m};
   if (!std::holds_alternative<UniformWindParams>(wind.source))
     wind.shape = read_shape(in, std::holds_alternative<FieldFile>(wind.source));
-  wind.direction = read_direction(in);
+  wind.direction = read_direction(in, around.lidar ? &*around.lidar : nullptr);
   return wind;
 }
 
@@ -94,6 +97,19 @@ bool evolves(const WindCase& wind) {
   const auto* mann = std::get_if<MannWind>(&wind.source);
   return (kaimal != nullptr && !kaimal->planes_m.empty()) ||
          (mann != nullptr && !mann->planes_m.empty());
+}
+
+std::string held_turbulence(const WindCase& wind) {
+  std::optional<SigmaU> sigma;
+  if (const auto* kaimal = std::get_if<KaimalWind>(&wind.source)) sigma = sigma_u(*kaimal);
+  if (const auto* mann = std::get_if<MannWind>(&wind.source)) sigma = sigma_u(*mann);
+  if (!sigma || std::abs(sigma->held_mps / sigma->asked_mps - 1.0) <= kUnsaidShare) return {};
+  std::ostringstream out;
+  out.precision(3);
+  out << "note: the wind is expected to hold sigma_u = " << sigma->held_mps << " m/s, asked for "
+      << sigma->asked_mps << " m/s: what is slower than its period or faster than its time step is "
+      << "left out\n";
+  return out.str();
 }
 
 std::string describe(const WindCase& wind) {

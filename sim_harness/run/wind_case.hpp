@@ -60,6 +60,12 @@ std::unique_ptr<WindField> make_wind(const WindCase& wind, const WindDemand* dem
 /// same whatever is demanded.
 bool evolves(const WindCase& wind);
 
+/// A line that says the standard deviation of u that generated wind is expected to have, if it
+/// differs by more than 2 % from the one asked for; else nothing. The grid of frequencies leaves
+/// out what is slower than the period or faster than the time step. (Mann: tabulates the box
+/// again.)
+std::string held_turbulence(const WindCase& wind);
+
 /// One line for reports: "Kaimal field, 18 m/s, sigma 3.06 m/s, seed 1".
 std::string describe(const WindCase& wind);
 

@@ -28,6 +28,7 @@ class EvolvingWind final : public WindField {
   Vec3 velocity(const Vec3& position_I_m, double time_s) const override;
   double mean_speed_mps() const override { return rotor_.mean_speed_mps(); }
   WindExtent extent() const override { return rotor_.extent(); }
+  double period_s() const override { return rotor_.period_s(); }
   bool holds(const Vec3& position_I_m) const override;
   std::vector<DiskPoint> disk_points(double hub_height_m, double radius_m) const override {
     return rotor_.disk_points(hub_height_m, radius_m);

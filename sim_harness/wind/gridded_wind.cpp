@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/wind/gridded_wind.hpp"
 
+#include <limits>
+
 namespace lac::sim {
 
 GriddedWind::GriddedWind(VelocityGrid grid) : grid_(std::move(grid)), locator_(grid_.spec()) {}
@@ -36,6 +38,10 @@ std::vector<DiskPoint> GriddedWind::disk_points(double hub_height_m, double radi
     }
   }
   return points;
+}
+
+double GriddedWind::period_s() const {
+  return grid_.spec().periodic ? duration_s() : std::numeric_limits<double>::infinity();
 }
 
 double GriddedWind::duration_s() const {

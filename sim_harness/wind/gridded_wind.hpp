@@ -24,6 +24,7 @@ class GriddedWind final : public WindField {
   Vec3 velocity(const Vec3& position_I_m, double time_s) const override;
   double mean_speed_mps() const override { return grid_.spec().mean_speed_mps; }
   WindExtent extent() const override;
+  double period_s() const override;
   /// The grid points within the radius, the rim included.
   std::vector<DiskPoint> disk_points(double hub_height_m, double radius_m) const override;
 

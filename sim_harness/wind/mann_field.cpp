@@ -2,6 +2,7 @@
 #include "sim_harness/wind/mann_field.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "sim_harness/wind/complex_normal.hpp"
 #include "sim_harness/wind/mann_row.hpp"

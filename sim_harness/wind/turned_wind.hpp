@@ -61,6 +61,7 @@ class TurnedWind final : public WindField {
   Vec3 velocity(const Vec3& position_I_m, double time_s) const override;
   double mean_speed_mps() const override { return field_->mean_speed_mps() * axes_.x_I().x; }
   WindExtent extent() const override { return extent_; }
+  double period_s() const override { return field_->period_s(); }
   bool holds(const Vec3& position_I_m) const override {
     return field_->holds(axes_.place_in_field(position_I_m));
   }

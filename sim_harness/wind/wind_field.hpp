@@ -31,6 +31,9 @@ struct DiskPoint {
   }
 };
 
+/// Raster that stands for the rotor disk in fields without points of their own.
+inline constexpr double kDiskRaster_m = 5.0;
+
 /// Square raster with one point on the rotor axis; every point within the radius counts.
 inline std::vector<DiskPoint> disk_raster(double hub_height_m, double radius_m, double step_m) {
   std::vector<DiskPoint> points;
@@ -60,6 +63,8 @@ class WindField {
 
   virtual double mean_speed_mps() const = 0;
   virtual WindExtent extent() const { return {}; }
+  /// After this time the field repeats itself; infinity where it does not.
+  virtual double period_s() const { return std::numeric_limits<double>::infinity(); }
   /// False for a place inside extent() that the field has not kept (a field thinned to a
   /// WindDemand): velocity() would throw.
   virtual bool holds(const Vec3& /*position_I_m*/) const { return true; }
@@ -71,7 +76,7 @@ class WindField {
   /// The points that stand for the rotor disk when the field is averaged over it (methods
   /// section 4): a 5 m raster, unless the field has points of its own.
   virtual std::vector<DiskPoint> disk_points(double hub_height_m, double radius_m) const {
-    return disk_raster(hub_height_m, radius_m, 5.0);
+    return disk_raster(hub_height_m, radius_m, kDiskRaster_m);
   }
 
  protected:

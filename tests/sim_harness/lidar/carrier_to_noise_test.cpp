@@ -138,5 +138,29 @@ TEST(CarrierToNoise, Keys) {
               ::testing::HasSubstr("threshold_db: the key is missing"));
 }
 
+// The keys of the range may stay when it no longer counts; keys without effect are refused.
+TEST(CarrierToNoise, KeysWithoutEffect) {
+  const test::TempFolder folder;
+  const auto error_of = [&](const std::string& more) {
+    return test::error_text([&] {
+      YamlReader in = YamlReader::load(
+          folder.write("a.yaml", "{reference_db: -5, threshold_db: -17, " + more + "}"));
+      read_carrier_to_noise(in);
+      in.finish();
+    });
+  };
+  const std::string range =
+      "reference_range_m: 150, focus_range_m: 150, rayleigh_length_m: 400, extinction_per_km: 0.1";
+  EXPECT_EQ(error_of(range), "no error");
+  EXPECT_EQ(error_of("over_range: constant, " + range), "no error");
+  EXPECT_THAT(error_of("over_range: constant, extinction_per_km: -1"),
+              ::testing::HasSubstr("extinction_per_km: found -1"));
+  EXPECT_THAT(error_of("focus_range_m: 150"),
+              ::testing::HasSubstr("focus_range_m: has no effect without rayleigh_length_m"));
+  EXPECT_THAT(error_of("drift_time_s: 60"),
+              ::testing::HasSubstr("drift_time_s: there is no drift_db"));
+  EXPECT_EQ(error_of("drift_time_s: 60, drift_db: 0"), "no error");
+}
+
 }  // namespace
 }  // namespace lac::sim

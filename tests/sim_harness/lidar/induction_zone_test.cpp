@@ -172,5 +172,29 @@ TEST(InductionZone, Keys) {
               ::testing::HasSubstr("a.yaml:1: thrust_coefficient: found 2, expected"));
 }
 
+// Switched off with the keys of a case that has it on; they are still checked. A time constant is
+// above 0, and a number that does not change has none.
+TEST(InductionZone, SwitchedOff) {
+  const test::TempFolder folder;
+  const auto error_of = [&](const std::string& text) {
+    return test::error_text([&] {
+      YamlReader in = YamlReader::load(folder.write("a.yaml", text));
+      EXPECT_FALSE(InductionZone(read_induction(in), 63.0, 18.0).active());
+      in.finish();
+    });
+  };
+  EXPECT_EQ(error_of("{model: none, thrust_coefficient: turbine, time_constant_s: 3}"), "no error");
+  EXPECT_EQ(error_of("{model: none, thrust_coefficient: 0.7}"), "no error");
+  EXPECT_EQ(error_of("{model: none}"), "no error");
+  EXPECT_THAT(error_of("{model: none, thrust_coefficient: 7}"),
+              ::testing::HasSubstr("thrust_coefficient: found 7"));
+  EXPECT_THAT(error_of("{model: none, time_constant_s: 0}"),
+              ::testing::HasSubstr("time_constant_s: found 0"));
+  EXPECT_THAT(error_of("{model: one_dimensional, thrust_coefficient: turbine, time_constant_s: 0}"),
+              ::testing::HasSubstr("time_constant_s: found 0"));
+  EXPECT_THAT(error_of("{model: one_dimensional, thrust_coefficient: 0.7, time_constant_s: 3}"),
+              ::testing::HasSubstr("time_constant_s: expected thrust_coefficient: turbine"));
+}
+
 }  // namespace
 }  // namespace lac::sim

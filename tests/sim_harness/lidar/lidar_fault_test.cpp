@@ -81,5 +81,21 @@ TEST(LidarFaultTest, Frozen) {
   EXPECT_EQ(a.m.time_s, 9.0);
 }
 
+// A fault from the start of the run: stuck repeats the first measurement of each beam, frozen the
+// first message.
+TEST(LidarFaultTest, FromTheStart) {
+  for (const LidarFaultKind kind : {LidarFaultKind::kStuck, LidarFaultKind::kFrozen}) {
+    LidarFaultInjector injector({kind}, 2);
+    for (int k = 0; k < 6; ++k) {
+      LidarMeasurement m = measurement(k);
+      ASSERT_TRUE(injector.apply(k, m, true));
+      const bool stuck = kind == LidarFaultKind::kStuck;
+      EXPECT_EQ(m.gates[0].speed_mps, stuck ? 10.0 * (k % 2) : 0.0);
+      EXPECT_EQ(m.time_s, stuck ? k : 0);
+      EXPECT_EQ(m.beam_id, stuck ? k % 2 : 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lac::sim

@@ -149,5 +149,14 @@ TEST(LidarOutages, Keys) {
   EXPECT_THAT(test::error_text([&] { read("share: 5\n"); }), HasSubstr("share: found 5, expected"));
 }
 
+// Bursts switched off in a case that has them.
+TEST(LidarOutages, BurstsSwitchedOff) {
+  const test::TempFolder folder;
+  YamlReader in = YamlReader::load(folder.write("a.yaml", "{burst_share: 0, burst_length_s: 4}"));
+  const OutageParams p = read_outages(in);
+  in.finish();
+  EXPECT_FALSE(p.enabled());
+}
+
 }  // namespace
 }  // namespace lac::sim

@@ -71,6 +71,14 @@ TEST(LidarParamsTest, GatesOfTheBeams) {
             "spinner");
 }
 
+// Gates for beams that all have their own.
+TEST(LidarParamsTest, GatesOfNobody) {
+  EXPECT_THAT(error_of("scan: table\n"
+                       "beams: [{azimuth_deg: 1, elevation_deg: 0, gates_m: [60]}]\n"
+                       "beam_time_s: 0.5\ngates_m: [50]\n"),
+              HasSubstr("lidar.yaml:4: gates_m: every beam has gates of its own"));
+}
+
 // Lists that do not fit together, gates that do not rise, and a mistyped key.
 TEST(LidarParamsTest, Faults) {
   const std::string text = kLidar;

@@ -373,5 +373,21 @@ TEST(LidarSimTest, StepDoesNotAllocate) {
   EXPECT_GT(seen, 70);
 }
 
+// A lidar that would deliver nothing before the run ends.
+TEST(LidarSimTest, NeverDelivers) {
+  const FunctionWind wind([](const Vec3&, double) { return Vec3{10.0, 0.0, 0.0}; });
+  LidarParams p;
+  p.scan.beams = {{}};
+  p.gates_m = {100.0};
+  p.scan.beam_time_s = 1e9;
+  const LidarSetting setting{90.0, 0.0125, 60.0};
+  EXPECT_EQ(
+      test::error_text([&] { LidarSim(p, wind, setting); }),
+      "lidar: the first measurement is complete after 1e+09 s, the run ends at 60 s; expected "
+      "a shorter beam_time_s or a longer run");
+  p.scan.beam_time_s = 60.0;
+  EXPECT_EQ(test::error_text([&] { LidarSim(p, wind, setting); }), "no error");
+}
+
 }  // namespace
 }  // namespace lac::sim

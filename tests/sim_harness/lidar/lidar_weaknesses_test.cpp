@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "support/error_text.hpp"
 #include "support/no_alloc_guard.hpp"
@@ -237,17 +238,15 @@ TEST(LidarWeaknesses, BladesAtTheTimeOfTheMeasurement) {
   }
 }
 
-// No blade passes a lidar on the spinner; a lidar on the nacelle that is not behind the rotor, and
-// a beam that is not there, are refused.
+// Blades before a lidar on the spinner or on a nacelle that is not behind the rotor, and a beam
+// that is not there, are refused.
 TEST(LidarWeaknesses, WhatDoesNotFitTheLidar) {
   LidarWeaknessParams p;
   p.blade_blockage = thick_blades();
   LidarWeaknessSetting s = setting();
   s.turns_with_rotor = true;
-  LidarWeaknesses spinner(p, s);
-  LidarMeasurement m = measurement(0);
-  pass(spinner, m, true, {});
-  EXPECT_TRUE(m.gates[0].valid);
+  EXPECT_THAT(test::error_text([&] { LidarWeaknesses(p, s); }),
+              ::testing::HasSubstr("blade_blockage: no blade passes a lidar on the spinner"));
   s.turns_with_rotor = false;
   s.position_N_m.x = 0.0;
   EXPECT_THAT(test::error_text([&] { LidarWeaknesses(p, s); }),
@@ -283,6 +282,77 @@ TEST(LidarWeaknesses, Keys) {
   const LidarWeaknessParams off = read_lidar_weaknesses(empty);
   EXPECT_FALSE(off.spoils_measurements());
   EXPECT_EQ(off.induction.model, InductionModel::kNone);
+}
+
+/// Gate at 80 m of a lidar whose gates are 10 m wide at half maximum, with these targets.
+LidarGate gate_at_80_m(const std::vector<HardTarget>& targets) {
+  LidarWeaknessParams p;
+  p.hard_targets = targets;
+  LidarWeaknessSetting narrow = setting();
+  narrow.weighting.fwhm_m = 10.0;
+  LidarWeaknesses weaknesses(p, narrow);
+  LidarMeasurement m = measurement(0);
+  pass(weaknesses, m);
+  return m.gates[4];
+}
+
+// A tree in the gate behind an opaque mast at 45 m is not seen, nor is air there; a mast behind a
+// fence at 79 m adds nothing to it, and a net before it adds its whole echo. In any order.
+TEST(LidarWeaknesses, TargetsBehindEachOther) {
+  const HardTarget mast{.distance_m = 45.0, .cnr_db = 30.0};
+  const HardTarget tree{.distance_m = 80.0, .cnr_db = 20.0, .opaque = false};
+  const HardTarget fence{.distance_m = 79.0, .cnr_db = 10.0};
+  const HardTarget net{.distance_m = 78.0, .cnr_db = 10.0, .opaque = false};
+  for (const auto& [near, far] : {std::pair{mast, tree}, std::pair{fence, tree}}) {
+    const LidarGate alone = gate_at_80_m({near});
+    for (const LidarGate& both : {gate_at_80_m({near, far}), gate_at_80_m({far, near})}) {
+      EXPECT_EQ(both.cnr_db, alone.cnr_db);
+      EXPECT_EQ(both.valid, alone.valid);
+      EXPECT_EQ(std::isnan(both.speed_mps), std::isnan(alone.speed_mps));
+    }
+  }
+  EXPECT_FALSE(gate_at_80_m({mast}).valid);
+  const double sigma_m = 10.0 / (2.0 * std::sqrt(2.0 * std::log(2.0)));
+  const auto echo = [&](double off_m) {
+    return 10.0 * std::exp(-0.5 * std::pow(off_m / sigma_m, 2));
+  };
+  const double air = 0.5 * std::erfc(1.0 / sigma_m / std::sqrt(2.0));
+  const double expected_db = 10.0 * std::log10(echo(1.0) + echo(2.0) + air);
+  EXPECT_NEAR(gate_at_80_m({net, fence}).cnr_db, expected_db, 1e-9);
+  EXPECT_NEAR(gate_at_80_m({fence, net}).cnr_db, expected_db, 1e-9);
+}
+
+// A blade file of another rotor: the tip may be 5 % off the radius, no more.
+TEST(LidarWeaknesses, BladeOfAnotherRotor) {
+  LidarWeaknessParams p;
+  p.blade_blockage = thick_blades();
+  LidarWeaknessSetting s = setting();
+  for (const double radius_m : {57.2, 60.0, 63.1}) {
+    s.rotor_radius_m = radius_m;
+    EXPECT_EQ(test::error_text([&] { LidarWeaknesses(p, s); }), "no error");
+  }
+  for (const double radius_m : {57.1, 63.2, 121.0}) {
+    s.rotor_radius_m = radius_m;
+    EXPECT_THAT(test::error_text([&] { LidarWeaknesses(p, s); }),
+                ::testing::HasSubstr("blade_blockage: blade: its tip is at radius_m = 60"));
+  }
+}
+
+// A noise that depends on a CNR that nobody models.
+TEST(LidarWeaknesses, NoiseWithoutSignal) {
+  const test::TempFolder folder;
+  const auto read = [&](const std::string& text) {
+    YamlReader in = YamlReader::load(folder.write("a.yaml", text));
+    read_lidar_weaknesses(in);
+    in.finish();
+  };
+  const std::string noise = "speed_noise:\n  sigma_mps: 0.1\n  doubling_cnr_db: -15\n";
+  EXPECT_THAT(test::error_text([&] { read(noise); }),
+              ::testing::HasSubstr("a.yaml:3: speed_noise.doubling_cnr_db: without the map "
+                                   "carrier_to_noise there is no CNR"));
+  EXPECT_EQ(test::error_text(
+                [&] { read(noise + "carrier_to_noise: {reference_db: -5, threshold_db: -17}\n"); }),
+            "no error");
 }
 
 }  // namespace

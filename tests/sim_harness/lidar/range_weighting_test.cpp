@@ -165,5 +165,28 @@ TEST(RangeWeightingTest, Faults) {
   EXPECT_THAT(error_of("fwhm_m: .nan\n"), HasSubstr("w.yaml:1: fwhm_m: found"));
 }
 
+// Lengths so short that numbers overflow on the way are refused at their key, and so is a gate with
+// more points than an int can count.
+TEST(RangeWeightingTest, LengthsTooShort) {
+  const test::TempFolder folder;
+  const auto error_of = [&](const std::string& text) {
+    return test::error_text([&] {
+      YamlReader in = YamlReader::load(folder.write("a.yaml", text));
+      read_range_weighting(in);
+    });
+  };
+  EXPECT_THAT(error_of("fwhm_m: 1e-8\n"), HasSubstr("a.yaml:1: fwhm_m: expected 0 (a point) or"));
+  EXPECT_EQ(error_of("fwhm_m: 0\n"), "no error");
+  EXPECT_EQ(error_of("fwhm_m: 0.01\n"), "no error");
+  EXPECT_THAT(error_of("{probe: pulse, pulse_length_m: 1e-9, gate_length_m: 30}\n"),
+              HasSubstr("pulse_length_m: found 1e-9, expected a number from 0.01"));
+  EXPECT_THAT(error_of("{probe: pulse, pulse_length_m: 0.01, gate_length_m: 1e5}\n"),
+              HasSubstr("gate_length_m: the gate is so much longer than the pulse"));
+  EXPECT_THAT(error_of("{probe: continuous_wave, rayleigh_length_m: 9, rayleigh_at_m: 1e-160}\n"),
+              HasSubstr("rayleigh_at_m: found 1e-160, expected a number from 0.01"));
+  EXPECT_THAT(error_of("{probe: continuous_wave, rayleigh_length_m: 1e-160, rayleigh_at_m: 9}\n"),
+              HasSubstr("rayleigh_length_m: found 1e-160, expected a number from 0.01"));
+}
+
 }  // namespace
 }  // namespace lac::sim

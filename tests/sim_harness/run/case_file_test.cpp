@@ -148,5 +148,49 @@ TEST_F(CaseFileTest, Lidar) {
       HasSubstr("case.yaml:13: lidar.file: " + files_.folder.file("none.yaml") + " cannot"));
 }
 
+// A generated grid must cover the rotor that is flown in it.
+TEST_F(CaseFileTest, GridCoversTheRotor) {
+  const auto error = [&](const std::string& key) {
+    return error_with("  kind: steady\n  speed_mps: 18\n",
+                      "  kind: kaimal\n  mean_speed_mps: 18\n  " + key + "\n");
+  };
+  EXPECT_THAT(
+      error("width_m: 125"),
+      EndsWith("case.yaml:8: wind.width_m: found 125, expected at least the rotor's diameter "
+               "of 126 m"));
+  EXPECT_THAT(error("height_m: 100"), HasSubstr("case.yaml:8: wind.height_m: found 100"));
+  EXPECT_EQ(error("width_m: 126"), "none");
+}
+
+// What a lidar cannot do in any wind is said with its place when the case is read.
+TEST_F(CaseFileTest, LidarThatCannotMeasure) {
+  const auto error = [&](const std::string& keys) {
+    return error_with("outputs:",
+                      "lidar: {beam_azimuth_deg: [0, 10], beam_elevation_deg: [0, 0], "
+                      "gates_along: beam, fwhm_m: 0, " +
+                          keys + "}\noutputs:");
+  };
+  const std::string good = "gates_m: [80], beam_time_s: 1";
+  EXPECT_EQ(error(good), "none");
+  EXPECT_THAT(
+      error("gates_m: [80], beam_time_s: 0.01"),
+      HasSubstr("case.yaml:13: lidar: beam 1: beam_time_s = 0.01 is shorter than the control "
+                "step"));
+  EXPECT_THAT(error(good + ", offset_m: [90, 0, 0]"),
+              HasSubstr("case.yaml:13: lidar: beam 1, gate"));
+  EXPECT_THAT(error(good + ", weaknesses: {hard_targets: [{distance_m: 80, beam: 3}]}"),
+              HasSubstr("case.yaml:13: lidar: weaknesses: hard_targets: beam = 3"));
+  EXPECT_THAT(error("gates_m: [80], beam_time_s: 40"),
+              HasSubstr("case.yaml:13: lidar: the first measurement is complete after"));
+}
+
+// The window of the turbulence intensity is no longer than the case.
+TEST_F(CaseFileTest, WindWindow) {
+  EXPECT_EQ(load_case(files_.file()).outputs.wind_window_s, 20.0);
+  EXPECT_EQ(load_case(files_.file(), {"time.duration_s=700"}).outputs.wind_window_s, 600.0);
+  EXPECT_THAT(error_with("folder: results", "wind_window_s: 30"),
+              HasSubstr("outputs.wind_window_s: found 30, expected at most time.duration_s = 20"));
+}
+
 }  // namespace
 }  // namespace lac::sim

@@ -119,6 +119,21 @@ TEST_F(KaimalCaseTest, Description) {
             "5, shear exponent 0.1, evolving with 4.1, 7.67e-05 /m in 2 planes up to 80 m");
 }
 
+// What period and step leave of sigma_u, by hand: with a = 6 L / U = 127.575 s it is
+// sqrt((1 + a 0.5/660)^(-2/3) - (1 + a 3300.5/660)^(-2/3)) = 0.962740 of what is asked for; a long
+// and fine field holds what it should, and nothing is said.
+TEST_F(KaimalCaseTest, HeldTurbulence) {
+  const SigmaU sigma = sigma_u(kaimal("sigma_u_mps: 3\n"));
+  EXPECT_EQ(sigma.asked_mps, 3.0);
+  EXPECT_NEAR(sigma.held_mps, 3.0 * 0.962740, 3e-6);
+  EXPECT_EQ(
+      held_turbulence(read("sigma_u_mps: 3\n")),
+      "note: the wind is expected to hold sigma_u = 2.89 m/s, asked for 3 m/s: what is slower "
+      "than its period or faster than its time step is left out\n");
+  EXPECT_EQ(held_turbulence(read("period_s: 6600\n")), "");
+  EXPECT_EQ(held_turbulence(WindCase{UniformWindParams{}}), "");
+}
+
 // Faults, each with its key.
 TEST_F(KaimalCaseTest, Faults) {
   EXPECT_THAT(error_of("stability: wild\n"), HasSubstr("stability: found 'wild'"));
@@ -133,6 +148,16 @@ TEST_F(KaimalCaseTest, Faults) {
   EXPECT_THAT(error_of("evolution: {planes_m: [50], decay: 0}\n"), HasSubstr("evolution.decay"));
   EXPECT_THAT(error_of("evolution: {planes_m: [50], time_scale_s: 400}\n"),
               HasSubstr("time_scale_s"));
+  EXPECT_THAT(error_of("period_s: 100.05\n"),
+              HasSubstr("wind.yaml:3: period_s: found 100.05, expected a multiple of time_step_s = "
+                        "0.1"));
+  EXPECT_THAT(error_of("period_s: 0.7\n"),
+              HasSubstr("wind.yaml:3: period_s: found 0.7, expected 8 to 100000000 times"));
+  EXPECT_THAT(
+      error_of("height_m: 181\n"),
+      HasSubstr("wind.yaml:3: height_m: found 181, expected at most twice the hub height of "
+                "90 m"));
+  EXPECT_THAT(error_of("height_m: 180\nperiod_s: 0.8\n"), HasSubstr("no error"));
   EXPECT_THAT(error_of("anisotropy: 3\n"), HasSubstr("anisotropy"));
 }
 

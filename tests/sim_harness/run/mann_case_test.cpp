@@ -111,6 +111,37 @@ TEST_F(MannCaseTest, Description) {
             "27 x 27 points, seed 5, evolving with 400 s in 2 planes up to 80 m");
 }
 
+// At the greatest time scale that is allowed the wind is there, and frozen to rounding.
+TEST_F(MannCaseTest, LongestTimeScale) {
+  const auto wind =
+      make_wind(read(std::string(kSmall) + "evolution: {planes_m: [60], time_scale_s: 1e9}\n"));
+  const Vec3 rotor{0.0, 0.0, 55.0}, ahead{-64.0, 0.0, 55.0};
+  EXPECT_LT(norm(wind->velocity(ahead, 5.0) - wind->velocity(rotor, 9.0)), 0.02);
+}
+
+// What the period leaves of sigma_u: a table made by an independent route, the fields themselves.
+TEST_F(MannCaseTest, HeldTurbulence) {
+  const MannWind wind = mann(std::string(kSmall) + "sigma_u_mps: 2\n");
+  const SigmaU sigma = sigma_u(wind);
+  EXPECT_NEAR(sigma.asked_mps, 2.0, 1e-9);
+  MannFieldParams field = wind.field;
+  double sum = 0.0;
+  constexpr int kSeeds = 60;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    field.seed = static_cast<std::uint64_t>(seed);
+    const GriddedWind drawn = make_mann_field(field);
+    const double mean_mps = 16.0;  // at the hub
+    for (int it = 0; it < 64; ++it)
+      sum += std::pow(drawn.grid().at(it, 2, 2, 0) - mean_mps, 2) / (64.0 * kSeeds);
+  }
+  // A variance of some ten independent harmonics per seed: 4 standard errors are about 15 %.
+  EXPECT_NEAR(sum / (sigma.held_mps * sigma.held_mps), 1.0, 0.15);
+  EXPECT_LT(sigma.held_mps, 1.9);
+  EXPECT_THAT(held_turbulence(read(std::string(kSmall) + "sigma_u_mps: 2\n")),
+              HasSubstr("m/s, asked for 2 m/s: what is slower than its period"));
+  EXPECT_EQ(held_turbulence(read(std::string(kSmall) + "sigma_u_mps: 2\nrescale: yes\n")), "");
+}
+
 // Faults, each with its key.
 TEST_F(MannCaseTest, Faults) {
   EXPECT_THAT(error_of("stability: wild\n"), HasSubstr("stability: found 'wild'"));
@@ -119,6 +150,15 @@ TEST_F(MannCaseTest, Faults) {
               HasSubstr("evolution.planes_m: expected distances that rise"));
   EXPECT_THAT(error_of("evolution: {planes_m: [50], gamma: 4}\n"), HasSubstr("gamma"));
   EXPECT_THAT(error_of("evolution: {time_scale_s: 4}\n"), HasSubstr("planes_m"));
+  EXPECT_THAT(error_of("evolution: {planes_m: [50], time_scale_s: 1e39}\n"),
+              HasSubstr("wind.yaml:3: evolution.time_scale_s: found 1e39, expected a number above "
+                        "0 up to 1000000000"));
+  EXPECT_THAT(
+      error_of("box_points_across: 31\n"),
+      HasSubstr("wind.yaml:3: box_points_across: found 31, expected an even number, at least "
+                "points_across = 27"));
+  EXPECT_THAT(error_of("box_points_up: 20\n"), HasSubstr("box_points_up: found 20, expected an "));
+  EXPECT_THAT(error_of("period_s: 100.05\n"), HasSubstr("wind.yaml:3: period_s: found 100.05"));
   EXPECT_THAT(error_of("lateral_coherence: independent\n"), HasSubstr("lateral_coherence"));
 }
 

@@ -9,6 +9,8 @@
 #include "core/error.hpp"
 #include "sim_harness/run/probe_case.hpp"
 #include "sim_harness/tables/outb_reader.hpp"
+#include "sim_harness/wind/field_file.hpp"
+#include "support/error_text.hpp"
 
 namespace lac::sim {
 namespace {
@@ -73,6 +75,36 @@ TEST_F(RunCaseTest, Deterministic) {
   EXPECT_TRUE(csv == files_.folder.read("results/second.csv"));
   EXPECT_TRUE(outb == files_.folder.read("results/first.outb"));
   EXPECT_TRUE(html == files_.folder.read("results/case.html"));
+}
+
+// Wind that repeats itself within the run says so, from a file too; and one that does not is quiet.
+TEST_F(RunCaseTest, Repetition) {
+  const std::vector<std::string> kaimal{
+      "wind={kind: kaimal, mean_speed_mps: 18, period_s: 16, points_across: 9, points_up: 9}"};
+  run(kaimal);
+  const char* const note =
+      "note: the wind repeats itself after its period of 16 s; the run lasts 20";
+  EXPECT_THAT(out_.str(), HasSubstr(note));
+  const Case c = load_case(files_.file(), kaimal);
+  write_field({FieldFormat::kBts, files_.folder.file("f.bts")},
+              dynamic_cast<const GriddedWind&>(*make_case_wind(c).field), "");
+  const std::string file = "wind={kind: bts, file: " + files_.folder.file("f.bts");
+  out_.str("");
+  run({file + "}"});
+  EXPECT_THAT(out_.str(), HasSubstr(note));
+  out_.str("");
+  run({file + "}", "time.duration_s=16"});
+  EXPECT_THAT(out_.str(), testing::Not(HasSubstr("repeats itself")));
+}
+
+// What is wrong with the wind bears the name of the case.
+TEST_F(RunCaseTest, WindThatCannotBeMade) {
+  EXPECT_THAT(test::error_text([&] {
+                run(
+                    {"wind={kind: kaimal, mean_speed_mps: 18, period_s: 16, points_across: 9, "
+                     "points_up: 9, yaw_deg: 20}"});
+              }),
+              HasSubstr("case.yaml: wind: turned wind: width left [m]"));
 }
 
 // A failing controller is named; what the one before it gave stays.

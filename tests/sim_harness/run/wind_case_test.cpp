@@ -21,9 +21,9 @@ using ::testing::HasSubstr;
 class WindCaseTest : public testing::Test {
  protected:
   /// Hub at 90 m, rotor of 63 m, seed 5.
-  WindCase read(const std::string& section) {
+  WindCase read(const std::string& section, std::optional<WindDemand> lidar = {}) {
     YamlReader in = YamlReader::load(folder_.write("wind.yaml", section));
-    const WindCase wind = read_wind(in, {90.0, 63.0, 5});
+    const WindCase wind = read_wind(in, {90.0, 63.0, 5, std::move(lidar)});
     in.finish();
     return wind;
   }
@@ -138,6 +138,26 @@ TEST_F(WindCaseTest, TurnedSteadyWind) {
   EXPECT_NEAR(v.x, 10.0 * std::cos(rad_from_deg(20.0)) * std::cos(rad_from_deg(8.0)), 1e-9);
   EXPECT_NEAR(v.y, -10.0 * std::sin(rad_from_deg(20.0)) * std::cos(rad_from_deg(8.0)), 1e-9);
   EXPECT_NEAR(v.z, 10.0 * std::sin(rad_from_deg(8.0)), 1e-9);
+}
+
+// Turned wind reaches as far as the lidar measures, motion included; less is refused. Wind that
+// does not turn, or without a lidar, takes any reach.
+TEST_F(WindCaseTest, ReachOfTheLidar) {
+  WindDemand lidar;
+  lidar.points_I_m = {{-100.0, 0.0, 90.0}, {-340.0, 5.0, 80.0}};
+  lidar.margin_m = 3.0;
+  const auto reach_m = [&](const std::string& keys, std::optional<WindDemand> demand) {
+    return read("{kind: steady, speed_mps: 10" + keys + "}", std::move(demand)).direction.reach_m;
+  };
+  EXPECT_EQ(reach_m(", yaw_deg: 30", lidar), 343.0);
+  EXPECT_EQ(reach_m(", upflow_deg: 5, reach_m: 400", lidar), 400.0);
+  EXPECT_EQ(reach_m(", yaw_deg: 30", std::nullopt), 250.0);
+  EXPECT_EQ(reach_m(", yaw_deg: 30, reach_m: 0", std::nullopt), 0.0);
+  EXPECT_EQ(reach_m(", reach_m: 0", lidar), 0.0);
+  EXPECT_THAT(test::error_text([&] { reach_m(", yaw_deg: 30, reach_m: 0", lidar); }),
+              HasSubstr("wind.yaml:1: reach_m: found 0, expected at least 343"));
+  lidar.points_I_m.pop_back();
+  EXPECT_EQ(reach_m(", yaw_deg: 30", lidar), 250.0);
 }
 
 }  // namespace
