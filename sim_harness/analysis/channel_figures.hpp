@@ -20,10 +20,15 @@ struct FigureOptions {
   ReferenceCycles reference = ReferenceCycles::kOneHertz;
   RainflowRule counting = RainflowRule::kAstm;
 
+  DelRule del_rule() const { return {reference, counting}; }
   DelConvention convention(double woehler_exponent) const {
     return {woehler_exponent, reference, counting};
   }
 };
+
+/// Columns without unit that say in words what the loads of a table of runs are (DelRule).
+inline constexpr const char* kDelReferenceColumn = "del_reference";
+inline constexpr const char* kDelRainflowColumn = "del_rainflow";
 
 /// All values in the unit of the channel, times in those of the recording. If samples are not
 /// finite there are no figures: the values are NaN.

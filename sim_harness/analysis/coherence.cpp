@@ -24,6 +24,10 @@ void require_finite(std::span<const double> series) {
 
 CrossSpectrumEstimator::CrossSpectrumEstimator(double time_step_s, std::size_t block_samples)
     : time_step_s_(time_step_s), block_samples_(block_samples) {
+  if (block_samples < kLeastBlock) {
+    throw Error("coherence: a block of " + std::to_string(block_samples) +
+                " samples is too short, expected at least " + std::to_string(kLeastBlock));
+  }
   const BlockTransform smallest(block_samples, time_step_s, block_samples, Taper::kHamming);
   sum_x_.assign(smallest.bins(), 0.0);
   sum_y_.assign(smallest.bins(), 0.0);

@@ -21,6 +21,9 @@ struct CrossSpectrum {
   double independent_blocks = 0.0;          // what the overlapping blocks are worth
 };
 
+/// Of a block [samples]: below, no frequency is left.
+inline constexpr std::size_t kLeastBlock = 7;
+
 struct Band {
   std::vector<double> low;
   std::vector<double> high;
@@ -30,7 +33,7 @@ struct Band {
 /// trend of each block removed (methods section 0).
 class CrossSpectrumEstimator {
  public:
-  /// Throws lac::Error if block_samples < 4.
+  /// Throws lac::Error if block_samples < kLeastBlock.
   CrossSpectrumEstimator(double time_step_s, std::size_t block_samples);
 
   /// A stretch without gaps, x and y of equal length. One shorter than a block is left out: false.

@@ -111,14 +111,34 @@ double DelConvention::reference_cycles(double duration_s) const {
   return reference == ReferenceCycles::kOneHertz ? duration_s : 2e6 * duration_s / kTwentyYears_s;
 }
 
-std::string DelConvention::text() const {
-  char exponent[32];
-  std::snprintf(exponent, sizeof exponent, "%g", woehler_exponent);
+std::string DelRule::text() const {
   const std::string cycles = reference == ReferenceCycles::kOneHertz
                                  ? "one cycle per second (N_ref = T)"
                                  : "2e6 cycles in 20 years (N_ref = 2e6 T / 20 years)";
-  return "(sum n_i R_i^m / N_ref)^(1/m) with m = " + std::string(exponent) +
-         ", R the full range, reference " + cycles + "; " + text_of(counting);
+  return "R the full range, reference " + cycles + "; " + text_of(counting);
+}
+
+const char* word_of(ReferenceCycles reference) {
+  return reference == ReferenceCycles::kOneHertz ? "1hz" : "2e6in20y";
+}
+
+const char* word_of(RainflowRule rule) {
+  return rule == RainflowRule::kAstm ? "astm" : "four-point";
+}
+
+std::optional<DelRule> del_rule_of(const std::string& reference, const std::string& counting) {
+  for (const auto r : {ReferenceCycles::kOneHertz, ReferenceCycles::kTwoMillionInTwentyYears}) {
+    for (const auto c : {RainflowRule::kAstm, RainflowRule::kFourPoint})
+      if (reference == word_of(r) && counting == word_of(c)) return DelRule{r, c};
+  }
+  return std::nullopt;
+}
+
+std::string DelConvention::text() const {
+  char exponent[32];
+  std::snprintf(exponent, sizeof exponent, "%g", woehler_exponent);
+  return "(sum n_i R_i^m / N_ref)^(1/m) with m = " + std::string(exponent) + ", " +
+         DelRule{reference, counting}.text();
 }
 
 double damage_equivalent_load(std::span<const LoadCycle> cycles, double duration_s,

@@ -2,6 +2,7 @@
 // Fatigue: rainflow counting and damage-equivalent loads.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,22 @@ enum class ReferenceCycles {
   kOneHertz,                 // N_ref = T: the load that acts once a second
   kTwoMillionInTwentyYears,  // N_ref = 2e6 T / (20 * 8760 * 3600 s): life-scaled
 };
+
+/// What loads of any exponent mean.
+struct DelRule {
+  ReferenceCycles reference = ReferenceCycles::kOneHertz;
+  RainflowRule counting = RainflowRule::kAstm;
+
+  bool operator==(const DelRule&) const = default;
+  /// "R the full range, reference ...; rainflow ...", for reports.
+  std::string text() const;
+};
+
+/// Words for tables and command lines: "1hz", "2e6in20y"; "astm", "four-point".
+const char* word_of(ReferenceCycles reference);
+const char* word_of(RainflowRule rule);
+/// Of two such words; none if one of them is another.
+std::optional<DelRule> del_rule_of(const std::string& reference, const std::string& counting);
 
 /// What a damage-equivalent load means; two numbers compare only if all of it is the same.
 struct DelConvention {

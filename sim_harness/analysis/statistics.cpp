@@ -41,14 +41,4 @@ double travel(std::span<const double> series) {
   return sum;
 }
 
-std::vector<double> rate_of_change(std::span<const double> series, double time_step_s) {
-  std::vector<double> rate;
-  if (series.size() < 2) return rate;
-  rate.reserve(series.size() - 1);
-  for (std::size_t i = 1; i < series.size(); ++i) {
-    rate.push_back((series[i] - series[i - 1]) / time_step_s);
-  }
-  return rate;
-}
-
 }  // namespace lac::sim

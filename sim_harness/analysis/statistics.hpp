@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace lac::sim {
 
@@ -24,9 +23,5 @@ Statistics statistics(std::span<const double> series, std::size_t first_sample =
 /// The way that was travelled: sum of the absolute differences of neighbours, in the unit of the
 /// series. For pitch travel.
 double travel(std::span<const double> series);
-
-/// Differences of neighbours over the time step, one value less than the series: the mean rate
-/// in each step [unit/s]. For a pitch rate from a pitch angle.
-std::vector<double> rate_of_change(std::span<const double> series, double time_step_s);
 
 }  // namespace lac::sim

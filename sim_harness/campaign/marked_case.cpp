@@ -26,8 +26,8 @@ CaseFigures figures_of(const Case& c, const CaseResult& result) {
   CaseFigures figures;
   for (const FlownController& flown : result.flights) {
     figures.controllers.push_back(flown.name);
-    figures.columns.clear();
-    std::vector<std::string> row;
+    figures.columns = {kDelReferenceColumn, kDelRainflowColumn};
+    std::vector<std::string> row{word_of(options.reference), word_of(options.counting)};
     for (const NamedFigure& f : named_figures(channel_figures(flown.recording, options), options)) {
       figures.columns.push_back(f.header());
       row.push_back(csv_number(f.value));

@@ -19,7 +19,8 @@ struct MarkedCase {
 };
 
 /// Mean, standard deviation, extremes, damage-equivalent loads and so on of every channel, the
-/// run-in left out, with the digits that read back as the same number.
+/// run-in left out, with the digits that read back as the same number; before them del_reference
+/// and del_rainflow, what the loads are.
 CaseFigures figures_of(const Case& c, const CaseResult& result);
 
 /// Flies the case and leaves `done` or `failed` in its folder; `shared`: its wind if that is there

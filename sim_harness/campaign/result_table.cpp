@@ -6,12 +6,14 @@
 
 #include "core/error.hpp"
 #include "core/part_file.hpp"
+#include "sim_harness/analysis/channel_figures.hpp"
 #include "sim_harness/tables/csv_table.hpp"
 
 namespace lac::sim {
 namespace {
 
-constexpr std::array<const char*, 4> kOwnColumns{"case", "status", "reason", "controller"};
+constexpr std::array<const char*, 6> kOwnColumns{
+    "case", "status", "reason", "controller", kDelReferenceColumn, kDelRainflowColumn};
 
 std::string last_word(const std::string& key) {
   return key.substr(key.rfind('.') + 1);

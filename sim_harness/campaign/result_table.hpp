@@ -12,7 +12,8 @@ namespace lac::sim {
 /// Writes the results of a study as one .csv file, complete or not at all: a line of names, then
 /// one row per case and controller in the order of the study. Columns: case, status (done, failed,
 /// open), reason, one per range (its name; of a range that is a key, the last word of it, or all of
-/// it if two would be the same), one per other key that is set, controller, figures with units.
+/// it if two would be the same), one per other key that is set, controller, what the loads
+/// are (del_reference, del_rainflow), figures with units.
 /// A case that is not done has one row without controller and figures. Equal results give equal
 /// bytes. `markers`: one per case. Throws lac::Error.
 void write_result_table(const std::filesystem::path& file, const Study& study,

@@ -4,14 +4,18 @@
 #include <map>
 #include <ostream>
 
+#include "sim_harness/cli/option_effect.hpp"
+
 namespace lac::sim {
 namespace {
 
 const std::map<std::string, ReferenceCycles> kReferences{
-    {"1hz", ReferenceCycles::kOneHertz}, {"2e6in20y", ReferenceCycles::kTwoMillionInTwentyYears}};
-const std::map<std::string, RainflowRule> kRules{{"astm", RainflowRule::kAstm},
-                                                 {"four-point", RainflowRule::kFourPoint}};
-
+    {word_of(ReferenceCycles::kOneHertz), ReferenceCycles::kOneHertz},
+    {word_of(ReferenceCycles::kTwoMillionInTwentyYears),
+     ReferenceCycles::kTwoMillionInTwentyYears}};
+const std::map<std::string, RainflowRule> kRules{
+    {word_of(RainflowRule::kAstm), RainflowRule::kAstm},
+    {word_of(RainflowRule::kFourPoint), RainflowRule::kFourPoint}};
 /// An option with a word for each value of an enumeration.
 template <class Value>
 void add_choice(CLI::App& command, const std::string& name, Value& value,
@@ -93,8 +97,10 @@ void add_correlate_input(CLI::App& command, CorrelateInput& o) {
       ->check(CLI::PositiveNumber);
   command.add_option("--min", o.wind_rule.min, "Least wind speed that counts [m/s]");
   command.add_option("--max", o.wind_rule.max, "Greatest wind speed that counts [m/s]");
-  command.add_option("--stuck", o.wind_rule.stuck_s, "Equal wind speeds over longer than this [s]");
-  command.add_option("--fill", o.wind_rule.fill_s, "Gaps up to this are filled linearly [s]");
+  command.add_option("--stuck", o.wind_rule.stuck_s, "Equal wind speeds over longer than this [s]")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--fill", o.wind_rule.fill_s, "Gaps up to this are filled linearly [s]")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--cnr", o.companion, "Channel that must be between the next two");
   command.add_option("--cnr-min", o.companion_min, "")->capture_default_str();
   command.add_option("--cnr-max", o.companion_max, "")->capture_default_str();
@@ -105,20 +111,26 @@ void add_correlate_options(CLI::App& command, CorrelateOptions& o) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--window", o.window.length_s, "Of correlation and delay [s]")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command.add_option("--overlap", o.window.overlap, "Of the windows")->capture_default_str();
   command.add_option("--min-delay", o.lags.min_s, "Least delay looked at [s]");
   command.add_option("--max-delay", o.lags.max_s, "Greatest [s]")->capture_default_str();
   command.add_flag_callback(
       "--either-sign", [&o] { o.lags.sign = PeakSign::kEither; },
       "Peak of the magnitude: loads that fall when the wind rises");
-  command.add_option("--rated-power", o.rule.rated_power, "(the largest there is)");
+  command.add_option("--rated-power", o.rule.rated_power, "(the largest there is)")
+      ->check(CLI::PositiveNumber);
   command.add_option("--fine-pitch", o.rule.fine_pitch, "Above rated is a degree more [deg]");
   command.add_option("--ti", o.intensity_limit, "Between two classes of turbulence intensity")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command.add_option("--availability", o.least_availability, "Least share of good wind speeds")
-      ->capture_default_str();
-  command.add_option("--block", o.block_s, "Of the coherence [s]")->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--block", o.block_s, "Of the coherence [s]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command.add_option("--csv", o.csv, "Table of all windows to write");
   command.add_option("--spectra", o.spectra, "Table of spectra and coherence with bands to write");
 }
@@ -172,8 +184,17 @@ AnalysisOptions::AnalysisOptions(CLI::App& app)
 
 void AnalysisOptions::run(std::ostream& out) const {
   if (stats_->parsed()) stats_command(stats_options_, out);
-  if (life_->parsed()) life_command(life_options_, out);
-  if (compare_->parsed()) compare_command(compare_options_, out);
+  if (life_->parsed()) {
+    require_effect(*life_, {life_options_.input});
+    require_table(*life_, "--controller", life_options_.input);
+    life_command(life_options_, out);
+  }
+  if (compare_->parsed()) {
+    require_effect(*compare_, compare_options_.inputs);
+    require_table(*compare_, "--baseline", compare_options_.inputs.front());
+    require_table(*compare_, "--against", compare_options_.inputs.back());
+    compare_command(compare_options_, out);
+  }
   if (correlate_->parsed()) correlate_command(correlate_options_, out);
 }
 

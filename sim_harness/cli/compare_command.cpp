@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/part_file.hpp"
 #include "core/suggest.hpp"
+#include "sim_harness/cli/written_table.hpp"
 #include "sim_harness/comparison/comparison_text.hpp"
 #include "sim_harness/comparison/life_table.hpp"
 
@@ -71,12 +71,7 @@ void compare_command(const CompareOptions& options, std::ostream& out) {
   const auto [a, b] = both(options);
   const Comparison comparison = compare_runs(a, b, options.comparison);
   out << comparison_text(comparison, options.comparison.wind);
-  if (options.csv.empty()) return;
-  const std::string text = comparison_csv(comparison);
-  PartFile csv(options.csv);
-  csv.write(text.data(), text.size());
-  csv.commit();
-  out << "wrote " << options.csv.string() << '\n';
+  write_table(options.csv, comparison_csv(comparison), out);
 }
 
 void life_command(const LifeOptions& o, std::ostream& out) {

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/cli/correlate_command.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <ostream>
 
 #include "core/error.hpp"
-#include "core/part_file.hpp"
 #include "sim_harness/cli/correlate_text.hpp"
+#include "sim_harness/cli/written_table.hpp"
 #include "sim_harness/output/text_table.hpp"
+#include "sim_harness/tables/text_number.hpp"
 
 namespace lac::sim {
 namespace {
-
-std::string percent_text(double share) {
-  return format_value(100.0 * share, 1) + " %";
-}
 
 CorrelateOptions completed(CorrelateOptions o, const CorrelatedSeries& series) {
   if (!o.ranges_m.empty() && o.ranges_m.size() != o.input.winds.size()) {
     throw Error("correlate: " + std::to_string(o.ranges_m.size()) + " ranges for " +
                 std::to_string(o.input.winds.size()) + " winds, expected one for each");
+  }
+  if (o.lags.min_s > o.lags.max_s) {
+    throw Error("correlate: --min-delay " + format_value(o.lags.min_s, 2) +
+                " s is above --max-delay " + format_value(o.lags.max_s, 2) + " s");
+  }
+  const double block = o.block_s * o.input.rate_hz;
+  if (!(std::round(block) >= kLeastBlock)) {
+    throw Error("correlate: --block " + format_value(o.block_s, 2) + " s is " +
+                format_value(block, 1) + " samples at --rate " + format_value(o.input.rate_hz, 2) +
+                " Hz, expected at least " + std::to_string(kLeastBlock) + " samples");
   }
   if (o.rule.rated_power > 0.0) return o;
   for (const double power : series.of_wind[0].power)
@@ -32,8 +41,8 @@ void require_availability(const CorrelateOptions& o, const CorrelatedSeries& ser
     const QualityCount& q = series.quality[i];
     if (q.availability() >= o.least_availability) continue;
     throw Error("correlate: '" + o.input.winds[i] + "' is available " +
-                percent_text(q.availability()) + " of the time, expected at least " +
-                percent_text(o.least_availability) + " (--availability): " + q.text());
+                percent_text(q.availability(), 1) + " of the time, expected at least " +
+                percent_text(o.least_availability, 1) + " (--availability): " + q.text());
   }
 }
 
@@ -71,12 +80,16 @@ WindRelation relation_of(const InflowSeries& s, std::size_t wind, const Correlat
   return r;
 }
 
-void write(const std::filesystem::path& file, const std::string& text, std::ostream& out) {
-  if (file.empty()) return;
-  PartFile csv(file);
-  csv.write(text.data(), text.size());
-  csv.commit();
-  out << "wrote " << file.string() << '\n';
+void require_windows(const std::vector<WindRelation>& relations, const CorrelatedSeries& series,
+                     const CorrelateOptions& o) {
+  const auto has_none = [](const WindRelation& r) { return r.windows.windows.empty(); };
+  if (!std::ranges::all_of(relations, has_none)) return;
+  const InflowSeries& s = series.of_wind[0];
+  throw Error("correlate: no complete window: the series have " +
+              format_value(static_cast<double>(s.wind.size()) * s.time_step_s, 1) +
+              " s, a window of " + format_value(o.window.length_s, 1) + " s and a delay up to " +
+              format_value(o.lags.max_s, 1) + " s must be in them without a gap (--window, " +
+              "--max-delay, --from, --fill)");
 }
 
 }  // namespace
@@ -91,13 +104,14 @@ void correlate_command(const CorrelateOptions& options, std::ostream& out) {
     relations.push_back(relation_of(series.of_wind[i], i, o));
     notes += quality_line(series, i, relations.back(), o);
   }
+  require_windows(relations, series, o);
   out << "correlation and delay of " << o.input.load << " behind the wind, windows of "
       << format_value(o.window.length_s, 1) << " s\n"
       << relation_table(relations, o.intensity_limit) << '\n'
       << coherence_lines(relations, o.confidence) << '\n'
       << notes;
-  write(o.csv, windows_csv(relations), out);
-  write(o.spectra, spectra_csv(relations, o.confidence), out);
+  write_table(o.csv, windows_csv(relations), out);
+  write_table(o.spectra, spectra_csv(relations, o.confidence), out);
 }
 
 }  // namespace lac::sim

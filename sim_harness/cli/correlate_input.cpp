@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/time_series.hpp"
 
 namespace lac::sim {
@@ -23,8 +24,13 @@ class Sources {
       start_s_ = std::max(start_s_, r.start_time_s());
       end_s_ = std::min(end_s_, r.start_time_s() + static_cast<double>(r.rows()) * r.time_step_s());
     }
-    start_s_ = std::max(start_s_, input.from_s);
     if (!(end_s_ > start_s_)) throw Error("correlate: the files have no time in common");
+    if (!(end_s_ > input.from_s)) {
+      throw Error("correlate: --from " + format_value(input.from_s, 2) +
+                  " s is beyond the common time of the files, " + format_value(start_s_, 2) +
+                  " to " + format_value(end_s_, 2) + " s");
+    }
+    start_s_ = std::max(start_s_, input.from_s);
   }
 
   double start_s() const { return start_s_; }

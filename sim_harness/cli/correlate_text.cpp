@@ -7,6 +7,7 @@
 
 #include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/csv_table.hpp"
+#include "sim_harness/tables/text_number.hpp"
 
 namespace lac::sim {
 namespace {
@@ -54,10 +55,6 @@ std::string range_text(double from, double to, int decimals) {
   return format_value(from, decimals) + "-" + format_value(to, decimals);
 }
 
-std::string share_text(double share) {
-  return format_value(100.0 * share, 0) + " %";
-}
-
 double delay_of(const InflowWindow& w) {
   return w.peak.delay_s;
 }
@@ -77,9 +74,9 @@ void add_row(const std::string& wind, const Class& c, const std::vector<InflowWi
       typical(values_of(windows, [](const InflowWindow& w) { return w.length_scale_m; }), 10.0);
   table.add_row({wind, text_of(c.mode), c.name, std::to_string(windows.size()),
                  format_value(rho.median, 2), range_text(rho.lower_quartile, rho.upper_quartile, 2),
-                 range_text(rho.bin_from, rho.bin_to, 2), share_text(rho.bin_share),
+                 range_text(rho.bin_from, rho.bin_to, 2), percent_text(rho.bin_share, 0),
                  format_value(delay_s.median, 1), range_text(delay_s.bin_from, delay_s.bin_to, 0),
-                 share_text(delay_s.bin_share), std::to_string(windows.size() - inside.size()),
+                 percent_text(delay_s.bin_share, 0), std::to_string(windows.size() - inside.size()),
                  format_value(time_s.median, 1), format_value(length_m.median, 0)});
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/part_file.hpp"
 #include "sim_harness/design/design_page.hpp"
 #include "sim_harness/design/quadrature_check.hpp"
 
@@ -23,11 +24,19 @@ std::string text_of_file(const fs::path& path) {
   return text.str();
 }
 
+/// The template may hold what somebody tuned by hand.
+void require_other_file(const fs::path& path, const fs::path& ffp_template) {
+  std::error_code ignored;
+  if (!fs::equivalent(path, ffp_template, ignored)) return;
+  throw Error(path.string() +
+              ": is the template of the design and is not written over; give "
+              "another folder (--output)");
+}
+
 void write(const fs::path& path, const std::string& text, std::ostream& out) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw Error(path.string() + ": cannot be written");
+  PartFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
   out << "wrote " << path.string() << '\n';
 }
 
@@ -51,6 +60,7 @@ void design_command(const DesignOptions& o, std::ostream& out) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) throw Error(folder.string() + ": cannot be made: " + failed.message());
+  require_other_file(folder / "ffp.IN", design.ffp_template);
   write(folder / "ffp.IN", designed_ffp_input(text_of_file(design.ffp_template), result), out);
   write(folder / "schedule.csv", schedule_csv(result), out);
   write(folder / "curves.csv", curves_csv(result), out);

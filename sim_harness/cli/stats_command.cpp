@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "core/error.hpp"
-#include "core/part_file.hpp"
+#include "sim_harness/cli/written_table.hpp"
 #include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/csv_table.hpp"
 #include "sim_harness/tables/time_series.hpp"
@@ -68,7 +68,8 @@ void print(const FileFigures& f, const FigureOptions& o, std::ostream& out) {
 
 /// One row per file; a column for every figure that one of them has.
 std::string csv_text(const std::vector<FileFigures>& files, const FigureOptions& o) {
-  std::vector<std::string> header{"file"};
+  std::vector<std::string> header{"file", kDelReferenceColumn, kDelRainflowColumn};
+  const std::size_t words = header.size();
   std::vector<std::vector<NamedFigure>> rows;
   for (const FileFigures& f : files) {
     rows.push_back(named_figures(f.channels, o));
@@ -80,8 +81,9 @@ std::string csv_text(const std::vector<FileFigures>& files, const FigureOptions&
   }
   std::string text = csv_line(header);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    std::vector<std::string> cells{files[i].file.string()};
-    for (std::size_t k = 1; k < header.size(); ++k) {
+    std::vector<std::string> cells{files[i].file.string(), word_of(o.reference),
+                                   word_of(o.counting)};
+    for (std::size_t k = words; k < header.size(); ++k) {
       const auto found = std::find_if(rows[i].begin(), rows[i].end(), [&](const NamedFigure& f) {
         return f.header() == header[k];
       });
@@ -104,12 +106,7 @@ void stats_command(const StatsOptions& options, std::ostream& out) {
   }
   for (const double m : options.figures.woehler_exponents)
     out << exponent_text(m) << ": " << options.figures.convention(m).text() << '\n';
-  if (options.csv.empty()) return;
-  const std::string text = csv_text(files, options.figures);
-  PartFile csv(options.csv);
-  csv.write(text.data(), text.size());
-  csv.commit();
-  out << "wrote " << options.csv.string() << '\n';
+  write_table(options.csv, csv_text(files, options.figures), out);
 }
 
 }  // namespace lac::sim

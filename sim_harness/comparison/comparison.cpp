@@ -67,6 +67,17 @@ Change root_of(Change c, double m) {
   return c;
 }
 
+std::string common_del_text(const RunTable& a, const RunTable& b) {
+  if (a.del_rule && b.del_rule && a.del_rule != b.del_rule) {
+    throw Error("the damage-equivalent loads of A = '" + a.name + "' and B = '" + b.name +
+                "' are of different conventions and do not compare: " + a.del_rule->text() +
+                "; against " + b.del_rule->text() +
+                "; make both tables with the same --reference and --rainflow");
+  }
+  const std::string text = del_text(a);
+  return a.del_rule == b.del_rule ? text : "A: " + text + "; B: " + del_text(b);
+}
+
 class Comparer {
  public:
   Comparer(const RunTable& a, const RunTable& b, const PairsAtSpeed& pairs,
@@ -130,7 +141,7 @@ Comparison compare_runs(const RunTable& a, const RunTable& b, const ComparisonOp
   result.a = a.name;
   result.b = b.name;
   result.confidence = options.confidence;
-  result.left_out = std::max(a.left_out, b.left_out);
+  result.left_out = a.source == b.source ? a.left_out : a.left_out + b.left_out;
   const PairsAtSpeed pairs = pair_up(a, b, result);
   for (const auto& [speed_mps, at_speed] : pairs) {
     result.speeds_mps.push_back(speed_mps);
@@ -141,6 +152,7 @@ Comparison compare_runs(const RunTable& a, const RunTable& b, const ComparisonOp
   const std::vector<std::string> wanted =
       options.quantities.empty() ? usual_quantities({&a, &b}) : options.quantities;
   for (const std::string& name : wanted) result.quantities.push_back(comparer.quantity(name));
+  if (std::ranges::any_of(wanted, is_load)) result.del_text = common_del_text(a, b);
   return result;
 }
 

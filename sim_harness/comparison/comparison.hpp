@@ -46,7 +46,8 @@ struct Comparison {
   std::vector<QuantityChange> quantities;
   std::size_t unpaired_a = 0;  // runs without a partner
   std::size_t unpaired_b = 0;
-  std::size_t left_out = 0;  // rows of runs that were not done
+  std::size_t left_out = 0;  // rows of runs that were not done, of one table once
+  std::string del_text;      // what the loads of both are; empty: none compared
 };
 
 struct ComparisonOptions {
@@ -56,7 +57,7 @@ struct ComparisonOptions {
 };
 
 /// Pairs runs by their keys; the wind speed is that of A's run. Throws lac::Error: no pair at all,
-/// a quantity that is not there, figures with different units.
+/// a quantity that is not there, figures with different units, loads of different rules.
 Comparison compare_runs(const RunTable& a, const RunTable& b, const ComparisonOptions& options);
 
 }  // namespace lac::sim

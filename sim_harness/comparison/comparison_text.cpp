@@ -7,6 +7,7 @@
 
 #include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/csv_table.hpp"
+#include "sim_harness/tables/text_number.hpp"
 
 namespace lac::sim {
 namespace {
@@ -18,10 +19,6 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", x);
   return text;
-}
-
-std::string percent(double share) {
-  return number(std::round(1e4 * share) * 1e-2) + " %";
 }
 
 /// "-12.3 ± 2.1 %", in brackets if it is not significant.
@@ -95,12 +92,13 @@ std::string notes(const Comparison& c, const WindDistribution& wind) {
     for (const auto& at : q.at_speed) made += at && std::isfinite(at->relative_low) ? 1 : 0;
   }
   const double covered = std::accumulate(c.share_of_time.begin(), c.share_of_time.end(), 0.0);
-  std::string text = "± : " + percent(c.confidence) +
+  std::string text = "± : " + number(100.0 * c.confidence) + " %" +
                      " interval of the mean of the paired differences (Student), relative to the "
                      "mean of A; in brackets: 0 lies inside; ?: one pair, no interval\n";
   text += "life: time at each speed after Weibull, scale " + format_value(wind.scale_mps, 2) +
-          " m/s, shape " + number(wind.shape) + "; the bins cover " + percent(covered) +
+          " m/s, shape " + number(wind.shape) + "; the bins cover " + percent_text(covered, 2) +
           " of the time, the rest counts as nothing; loads by their damage (sum p L^m)^(1/m)\n";
+  if (!c.del_text.empty()) text += "DEL: " + c.del_text + '\n';
   text += "of " + std::to_string(made) + " comparisons about " +
           format_value((1.0 - c.confidence) * static_cast<double>(made), 1) +
           " would be called significant by chance if nothing differed\n";

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "sim_harness/output/text_table.hpp"
+#include "sim_harness/tables/text_number.hpp"
 
 namespace lac::sim {
 namespace {
@@ -29,6 +30,14 @@ std::optional<std::size_t> find_figure(const RunTable& runs, std::string_view na
   for (std::size_t i = 0; i < runs.figures.size(); ++i)
     if (without_unit(runs.figures[i]) == name) return i;
   return std::nullopt;
+}
+
+std::optional<double> exponent_in(const std::string& quantity) {
+  const std::size_t at = quantity.rfind("_del");
+  if (at == std::string::npos) return std::nullopt;
+  char* end = nullptr;
+  const double m = std::strtod(quantity.c_str() + at + 4, &end);
+  return *end == '\0' && m > 0.0 ? std::optional(m) : std::nullopt;
 }
 
 double combined(const std::vector<double>& values, const std::string& name) {
@@ -69,11 +78,17 @@ LifeQuantity quantity_of(const RunTable& runs, const std::string& name, const Ru
 }  // namespace
 
 double exponent_of(const std::string& quantity) {
-  const std::size_t at = quantity.rfind("_del");
-  if (at == std::string::npos) return 1.0;
-  char* end = nullptr;
-  const double m = std::strtod(quantity.c_str() + at + 4, &end);
-  return *end == '\0' && m > 0.0 ? m : 1.0;
+  return exponent_in(quantity).value_or(1.0);
+}
+
+bool is_load(const std::string& quantity) {
+  return exponent_in(quantity).has_value();
+}
+
+std::string del_text(const RunTable& runs) {
+  return runs.del_rule ? runs.del_rule->text()
+                       : std::string("convention not known, the table has no columns ") +
+                             kDelReferenceColumn + ", " + kDelRainflowColumn;
 }
 
 bool is_extreme(const std::string& quantity) {
@@ -106,6 +121,7 @@ LifeTable life_table(const RunTable& runs, const std::vector<std::string>& quant
   for (const RunTable::Run& run : runs.runs) at_speed[run.wind_mps].push_back(&run);
   if (at_speed.empty()) throw Error("life: '" + runs.name + "' has no run");
   LifeTable table{runs.name, {}, {}, {}, {}};
+  if (std::ranges::any_of(quantities, is_load)) table.del_text = del_text(runs);
   for (const auto& [speed_mps, at] : at_speed) {
     table.speeds_mps.push_back(speed_mps);
     table.runs.push_back(at.size());
@@ -120,16 +136,16 @@ std::string life_text(const LifeTable& t, const WindDistribution& wind) {
   std::vector<std::string> header{"wind m/s", "runs", "time"};
   for (const LifeQuantity& q : t.quantities) header.push_back(q.name + " [" + q.unit + "]");
   TextTable table(header);
-  const auto percent = [](double share) { return format_value(100.0 * share, 2) + " %"; };
   for (std::size_t i = 0; i < t.speeds_mps.size(); ++i) {
     std::vector<std::string> cells{format_value(t.speeds_mps[i], 1), std::to_string(t.runs[i]),
-                                   percent(t.share_of_time[i])};
+                                   percent_text(t.share_of_time[i], 2)};
     for (const LifeQuantity& q : t.quantities)
       cells.push_back(format_significant(q.at_speed[i], kDigits));
     table.add_row(cells);
   }
   const std::size_t runs = std::accumulate(t.runs.begin(), t.runs.end(), std::size_t{0});
-  std::vector<std::string> cells{"life", std::to_string(runs), percent(sum_of(t.share_of_time))};
+  std::vector<std::string> cells{"life", std::to_string(runs),
+                                 percent_text(sum_of(t.share_of_time), 2)};
   for (const LifeQuantity& q : t.quantities)
     cells.push_back(q.life ? format_significant(*q.life, kDigits) : "-");
   table.add_row(cells);
@@ -139,6 +155,7 @@ std::string life_text(const LifeTable& t, const WindDistribution& wind) {
       text += "energy of a year from " + q.name + ": " +
               format_significant(kKilo * *q.annual_energy_kWh, kDigits) + " MWh\n";
   }
+  if (!t.del_text.empty()) text += "DEL: " + t.del_text + '\n';
   return text + "time after Weibull, scale " + format_value(wind.scale_mps, 2) + " m/s, shape " +
          format_value(wind.shape, 2) +
          "; loads by their damage (sum p mean(L^m))^(1/m), without damage outside the bins; others "

@@ -29,6 +29,7 @@ struct LifeTable {
   std::vector<double> share_of_time;
   std::vector<std::size_t> runs;
   std::vector<LifeQuantity> quantities;
+  std::string del_text{};  // what its loads are; empty: it has none
 };
 
 /// Quantities by their names without unit. Throws lac::Error: one that is not there, no run.
@@ -37,6 +38,10 @@ LifeTable life_table(const RunTable& runs, const std::vector<std::string>& quant
 
 /// The load's exponent: 4 of "TwrBsMyt_del4"; 1 of every other quantity.
 double exponent_of(const std::string& quantity);
+/// A damage-equivalent load.
+bool is_load(const std::string& quantity);
+/// What the loads of a table are, in words; that it is not known, if the table does not say.
+std::string del_text(const RunTable& runs);
 /// _min, _max or one of their times.
 bool is_extreme(const std::string& quantity);
 /// Where a quantity stands among the figures; throws lac::Error with the nearest one.

@@ -8,37 +8,18 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "core/suggest.hpp"
-#include "sim_harness/tables/time_series.hpp"
+#include "sim_harness/comparison/mean_wind.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<const char*, 2> kWindParameters{"mean_speed_mps", "speed_mps"};
-constexpr std::array<const char*, 5> kWindFigures{
-    "RtVAvgxh_mean", "WindHubVelH_mean", "WindHubVelX_mean", "Wind1VelX_mean", "WindVelX_mean"};
-constexpr std::array<const char*, 3> kBookkeeping{"case", "status", "reason"};
+constexpr std::array<const char*, 5> kBookkeeping{"case", "status", "reason", kDelReferenceColumn,
+                                                  kDelRainflowColumn};
 constexpr const char* kFileColumn = "file";
 
 bool is_figure(const std::string& name) {
   return !unit_in(name).empty();
-}
-
-template <class Has>
-std::string wind_column_of(const std::string& where, const RunTableOptions& o, Has&& has) {
-  if (!o.wind_column.empty()) return o.wind_column;
-  for (const char* name : kWindParameters)
-    if (has(name)) return name;
-  for (const char* name : kWindFigures)
-    if (has(name)) return name;
-  throw Error(where +
-              ": has no mean wind speed, expected mean_speed_mps or RtVAvgxh_mean; --wind names "
-              "another column");
-}
-
-double binned(double wind_mps, double bin_mps) {
-  return bin_mps * std::round(wind_mps / bin_mps);
 }
 
 /// The rows that meet all conditions.
@@ -100,10 +81,37 @@ std::string key_of(const CsvTable& table, std::size_t row,
   return key;
 }
 
-/// What the chain and the harness write beside the recording of a run.
-bool is_beside_a_run(const fs::path& file) {
-  const std::string kind = file.stem().extension().string();
-  return kind == ".lac" || kind == ".wind";
+double wind_speed(const CsvTable& table, std::size_t row, std::size_t column,
+                  const RunTableOptions& o) {
+  const double wind_mps = table.number(row, column);
+  const std::string& name = table.names()[column];
+  if (!std::isfinite(wind_mps)) {
+    throw Error(table.place(row) + ": column '" + name + "': found '" + table.text(row, column) +
+                "', expected the wind speed of the run");
+  }
+  return is_figure(name) ? binned(wind_mps, o.bin_mps) : wind_mps;
+}
+
+/// None if the table does not say.
+std::optional<DelRule> del_rule_in(const CsvTable& table, std::size_t row) {
+  const auto reference = table.find(kDelReferenceColumn), rainflow = table.find(kDelRainflowColumn);
+  if (!reference || !rainflow) return std::nullopt;
+  const std::string &r = table.text(row, *reference), &c = table.text(row, *rainflow);
+  if (r.empty() && c.empty()) return std::nullopt;
+  if (const auto rule = del_rule_of(r, c)) return rule;
+  throw Error(table.place(row) + ": " + kDelReferenceColumn + ", " + kDelRainflowColumn +
+              ": found '" + r + "', '" + c + "', expected 1hz or 2e6in20y, astm or four-point");
+}
+
+/// The rule of all runs so far is that of this row too.
+void take_del_rule(const CsvTable& table, std::size_t row, RunTable& runs) {
+  const auto rule = del_rule_in(table, row);
+  if (runs.runs.empty()) runs.del_rule = rule;
+  if (rule == runs.del_rule) return;
+  throw Error(table.place(row) + ": its damage-equivalent loads are of another convention than " +
+              runs.runs.front().place + " (columns " + kDelReferenceColumn + ", " +
+              kDelRainflowColumn + "); --where " + kDelReferenceColumn +
+              "=VALUE takes those of one");
 }
 
 void require_distinct(const RunTable& runs) {
@@ -132,14 +140,16 @@ RunTable runs_of_table(const CsvTable& table, const std::string& controller,
                        const RunTableOptions& options) {
   RunTable result;
   result.name = controller;
+  result.source = table.file();
   std::vector<std::size_t> figure_columns;
   for (std::size_t i = 0; i < table.names().size(); ++i) {
     if (!is_figure(table.names()[i])) continue;
     figure_columns.push_back(i);
     result.figures.push_back(table.names()[i]);
   }
-  const std::size_t wind = table.column(wind_column_of(
-      table.file().string(), options, [&](const char* name) { return table.find(name); }));
+  const std::size_t wind =
+      table.column(wind_column_of(table.file().string(), options.wind_column,
+                                  [&](const char* name) { return table.find(name).has_value(); }));
   const std::vector<std::size_t> keys = key_columns(table, options);
   const auto controllers = table.find(options.controller_column);
   for (const std::size_t row : chosen_rows(table, options)) {
@@ -148,43 +158,13 @@ RunTable runs_of_table(const CsvTable& table, const std::string& controller,
       continue;
     }
     if (controllers && table.text(row, *controllers) != controller) continue;
-    RunTable::Run run{key_of(table, row, keys), table.number(row, wind), {}, table.place(row)};
-    if (is_figure(table.names()[wind])) run.wind_mps = binned(run.wind_mps, options.bin_mps);
+    take_del_rule(table, row, result);
+    RunTable::Run run{
+        key_of(table, row, keys), wind_speed(table, row, wind, options), {}, table.place(row)};
     for (const std::size_t c : figure_columns) run.figures.push_back(table.number(row, c));
     result.runs.push_back(std::move(run));
   }
   require_distinct(result);
-  return result;
-}
-
-RunTable runs_of_folder(const fs::path& folder, const FigureOptions& figures,
-                        const RunTableOptions& options) {
-  RunTable result;
-  result.name = fs::weakly_canonical(folder).filename().string();
-  for (const fs::path& file : time_series_of(folder)) {
-    if (is_beside_a_run(file)) continue;
-    try {
-      const auto values = named_figures(channel_figures(read_time_series(file), figures), figures);
-      const auto find = [&](std::string_view name) {
-        return std::ranges::find(values, name, &NamedFigure::name);
-      };
-      const std::string wind = wind_column_of(
-          file.string(), options, [&](const char* name) { return find(name) != values.end(); });
-      if (find(wind) == values.end()) throw Error("has no figure '" + wind + "'");
-      RunTable::Run run{
-          file.stem().string(), binned(find(wind)->value, options.bin_mps), {}, file.string()};
-      if (result.figures.empty())
-        for (const NamedFigure& f : values) result.figures.push_back(f.header());
-      for (const std::string& name : result.figures) {
-        const auto found = find(without_unit(name));
-        run.figures.push_back(found == values.end() ? std::nan("") : found->value);
-      }
-      result.runs.push_back(std::move(run));
-    } catch (const Error& e) {
-      const std::string text = e.what();
-      throw Error(text.starts_with(file.string()) ? text : file.string() + ": " + text);
-    }
-  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct RunTable {
   std::string name;
   std::vector<std::string> figures;  // "TwrBsMyt_del4 [kNm]"
   std::vector<Run> runs;
-  std::size_t left_out = 0;  // rows whose status is not "done"
+  std::size_t left_out = 0;           // rows whose status is not "done"
+  std::filesystem::path source{};     // table or folder
+  std::optional<DelRule> del_rule{};  // of the loads; none: not known
 };
 
 struct RunTableOptions {
@@ -45,14 +48,16 @@ struct RunTableOptions {
 std::vector<std::string> controllers_in(const CsvTable& table, const RunTableOptions& options);
 
 /// The rows of one controller (all rows if the table has no such column). Figures are the columns
-/// with a unit in brackets; rows with a status other than "done" are counted and left out. Throws
-/// lac::Error with file and line: two rows of one key, no number where one must be, no wind column,
-/// a condition that is none or leaves no row.
+/// with a unit in brackets; rows with a status other than "done" are counted and left out. The
+/// columns del_reference and del_rainflow say what the loads are. Throws lac::Error with file and
+/// line: two rows of one key, no number where one must be, no wind column or an empty cell in it, a
+/// condition that is none or leaves no row, loads of two rules.
 RunTable runs_of_table(const CsvTable& table, const std::string& controller,
                        const RunTableOptions& options);
 
-/// The time series of a folder, their names without ending as keys; not those beside a run,
-/// <name>.lac.* and <name>.wind.*. Throws lac::Error.
+/// The time series of a folder (time_series_of()), their names without ending as keys. One file is
+/// one wind: throws lac::Error if two have the same wind that is not constant, as the results of
+/// several controllers of one run have; or if a mean wind speed is not there or not finite.
 RunTable runs_of_folder(const std::filesystem::path& folder, const FigureOptions& figures,
                         const RunTableOptions& options);
 

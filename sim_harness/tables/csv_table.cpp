@@ -121,16 +121,6 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
               "', expected a number");
 }
 
-bool CsvTable::is_numeric(std::size_t column) const {
-  bool any = false;
-  for (const auto& row : rows_) {
-    const auto value = number_in(row[column]);
-    if (!value) return false;
-    any = any || std::isfinite(*value);
-  }
-  return any;
-}
-
 std::string CsvTable::place(std::size_t row) const {
   return file_.string() + ":" + std::to_string(lines_[row]);
 }

@@ -31,8 +31,6 @@ class CsvTable {
   const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
   /// NaN for an empty cell. Throws lac::Error with file, line and column if it is no number.
   double number(std::size_t row, std::size_t column) const;
-  /// Are all cells of a column numbers or empty, and one of them a number?
-  bool is_numeric(std::size_t column) const;
   /// "file:line" of a row, for messages.
   std::string place(std::size_t row) const;
 

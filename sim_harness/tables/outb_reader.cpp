@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "sim_harness/tables/text_number.hpp"
 #include "sim_harness/tables/time_axis.hpp"
 
 namespace lac::sim {
@@ -21,7 +22,9 @@ constexpr std::int32_t kMostChannels = 100000;
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : file_(file), in_(file, std::ios::binary) {
-    if (!in_) fail("cannot be opened");
+    std::error_code problem;
+    left_ = std::filesystem::file_size(file, problem);
+    if (!in_ || problem) fail("cannot be opened");
   }
 
   template <typename T>
@@ -32,6 +35,7 @@ class Reader {
   }
   template <typename T>
   std::vector<T> take(std::size_t count) {
+    require(count * sizeof(T));
     std::vector<T> values(count);
     read(values.data(), count * sizeof(T));
     return values;
@@ -44,16 +48,24 @@ class Reader {
   [[noreturn]] void fail(const std::string& problem) const {
     throw Error(file_.string() + ": " + problem);
   }
+  /// Before memory is taken for what a header promises.
+  void require(std::uintmax_t bytes) const {
+    if (bytes <= left_) return;
+    fail("ends too early for an OpenFAST output file: found " + std::to_string(left_) +
+         " bytes where its header tells of " + std::to_string(bytes));
+  }
 
  private:
   void read(void* target, std::size_t bytes) {
-    if (!in_.read(static_cast<char*>(target), static_cast<std::streamsize>(bytes))) {
-      fail("ends too early for an OpenFAST output file");
-    }
+    require(bytes);
+    if (!in_.read(static_cast<char*>(target), static_cast<std::streamsize>(bytes)))
+      fail("cannot be read");
+    left_ -= bytes;
   }
 
   std::filesystem::path file_;
   std::ifstream in_;
+  std::uintmax_t left_ = 0;  // bytes not read yet
 };
 
 struct Head {
@@ -89,10 +101,6 @@ Head read_head(Reader& in) {
   return h;
 }
 
-std::string without_brackets(const std::string& unit) {
-  return unit.size() >= 2 && unit.front() == '(' ? unit.substr(1, unit.size() - 2) : unit;
-}
-
 std::vector<TableChannel> read_channels(Reader& in, const Head& h) {
   const auto length = in.take<std::int32_t>();
   if (length < 0) in.fail("has sizes that cannot be");
@@ -124,6 +132,8 @@ Recording read_outb(const std::filesystem::path& file) {
   std::vector<TableChannel> channels = read_channels(in, h);
   const TimeAxis axis = read_times(in, h);
   if (axis.has_gaps()) in.fail("rows are missing: its times are not equidistant");
+  in.require(std::uintmax_t{h.rows} * h.channels *
+             (h.id == kUnpacked ? sizeof(double) : sizeof(std::int16_t)));
   Recording recording(std::move(channels), axis.start_s, axis.step_s, h.rows);
   std::vector<float> row(h.channels);
   for (std::size_t i = 0; i < h.rows; ++i) {

@@ -3,9 +3,9 @@
 
 #include <charconv>
 #include <limits>
-#include <string>
 
 #include "core/suggest.hpp"
+#include "sim_harness/output/text_table.hpp"
 
 namespace lac::sim {
 namespace {
@@ -47,6 +47,16 @@ std::optional<double> number_in(std::string_view text) {
   if (word.starts_with('+')) word.remove_prefix(1);
   if (const auto value = plain_number(word)) return value;
   return plain_number(with_exponent_letter(word));
+}
+
+std::string without_brackets(std::string_view unit) {
+  if (unit.size() >= 2 && (unit.front() == '(' || unit.front() == '['))
+    unit = unit.substr(1, unit.size() - 2);
+  return unit.empty() ? "-" : std::string(unit);
+}
+
+std::string percent_text(double share, int decimals) {
+  return format_value(100.0 * share, decimals) + " %";
 }
 
 }  // namespace lac::sim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace lac::sim {
@@ -13,5 +14,11 @@ std::string_view trimmed(std::string_view text);
 /// "1.5D+02" and "1.5-101". An empty text, "NA" and "n/a" are NaN: no value. None for anything
 /// else.
 std::optional<double> number_in(std::string_view text);
+
+/// "kNm" of "(kNm)" or "[kNm]"; "-" of an empty text.
+std::string without_brackets(std::string_view unit);
+
+/// 0.123 as "12.3 %", with these decimals.
+std::string percent_text(double share, int decimals);
 
 }  // namespace lac::sim

@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::size_t kMostShown = 40;
 
-std::string without_brackets(std::string_view unit) {
-  if (unit.size() >= 2 && (unit.front() == '(' || unit.front() == '['))
-    unit = unit.substr(1, unit.size() - 2);
-  return unit.empty() ? "-" : std::string(unit);
-}
-
 /// Rows of numbers below the names, the time first.
 class Rows {
  public:

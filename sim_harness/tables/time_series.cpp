@@ -23,19 +23,38 @@ Format format_of(const fs::path& file) {
   return Format::kUnknown;
 }
 
-}  // namespace
-
-bool is_time_series(const fs::path& file) {
-  return format_of(file) != Format::kUnknown;
+/// What the chain and the harness write beside the recording of a run.
+bool is_beside_a_run(const fs::path& file) {
+  const std::string kind = file.stem().extension().string();
+  return kind == ".lac" || kind == ".wind";
 }
+
+/// In a folder a .txt may be anything.
+bool is_of_a_run(const fs::directory_entry& entry) {
+  const fs::path& file = entry.path();
+  return entry.is_regular_file() && format_of(file) != Format::kUnknown &&
+         !equal_ignoring_case(file.extension().string(), ".txt") && !is_beside_a_run(file);
+}
+
+void refuse_campaign(const fs::path& folder) {
+  const fs::path table = folder / "results.csv";
+  if (!fs::exists(table) || !(fs::exists(folder / "cases.txt") || fs::exists(folder / "cases")))
+    return;
+  throw Error(folder.string() + ": is the folder of a campaign, expected one of time series; the " +
+              "table of its runs is " + table.string() + " (for lac compare and lac life), the " +
+              "time series are in " + (folder / "cases").string() + "/<case>");
+}
+
+}  // namespace
 
 std::vector<fs::path> time_series_of(const fs::path& file_or_folder) {
   if (!fs::exists(file_or_folder))
     throw Error(file_or_folder.string() + ": no such file or folder");
   if (!fs::is_directory(file_or_folder)) return {file_or_folder};
+  refuse_campaign(file_or_folder);
   std::map<fs::path, fs::path> by_stem;
   for (const fs::directory_entry& entry : fs::directory_iterator(file_or_folder)) {
-    if (!entry.is_regular_file() || format_of(entry.path()) == Format::kUnknown) continue;
+    if (!is_of_a_run(entry)) continue;
     fs::path& chosen = by_stem[entry.path().stem()];
     if (chosen.empty() || format_of(entry.path()) < format_of(chosen)) chosen = entry.path();
   }

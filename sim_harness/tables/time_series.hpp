@@ -14,12 +14,10 @@ namespace lac::sim {
 Recording read_time_series(const std::filesystem::path& file,
                            MissingRows missing = MissingRows::kRefused);
 
-/// Is the ending one of these?
-bool is_time_series(const std::filesystem::path& file);
-
-/// The file itself, or the time series right in a folder, by name; of files that differ in nothing
-/// but their ending (a result as .outb and .csv) the first of .outb, .out, .csv. Throws lac::Error
-/// if there is none, or no such file or folder.
+/// The file itself, or the runs right in a folder, by name: .outb, .out and .csv, but not what is
+/// beside a run, <name>.lac.* and <name>.wind.*; of files that differ in nothing but their ending
+/// (a result as .outb and .csv) the first of these endings. Throws lac::Error if there is none, no
+/// such file or folder, or the folder is that of a campaign (results.csv with cases).
 std::vector<std::filesystem::path> time_series_of(const std::filesystem::path& file_or_folder);
 
 }  // namespace lac::sim

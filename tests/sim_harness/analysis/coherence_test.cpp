@@ -118,6 +118,18 @@ TEST(FirstFall, Crossing) {
   EXPECT_TRUE(std::isnan(first_fall_hz(f, c, 0.1)));
 }
 
+// The shortest block has one frequency; a shorter one would have none.
+TEST(CrossSpectrum, ShortestBlock) {
+  CrossSpectrumEstimator e(1.0, kLeastBlock);
+  const std::vector<double> x{1, 3, 2, 5, 4, 7, 1};
+  e.add(x, x);
+  EXPECT_EQ(e.result().frequency_hz, std::vector{3.0 / 7.0});
+  for (const std::size_t block : {0U, 3U, 4U, 6U}) {
+    EXPECT_THAT(lac::test::error_text([&] { CrossSpectrumEstimator(1.0, block); }),
+                HasSubstr("samples is too short, expected at least 7"));
+  }
+}
+
 // What cannot be used is refused.
 TEST(CrossSpectrum, Faults) {
   CrossSpectrumEstimator e(1.0, 8);

@@ -61,12 +61,5 @@ TEST(Statistics, TooFewSamplesAreRefused) {
               ::testing::ThrowsMessage<Error>(::testing::HasSubstr("has 3, of which the first 2")));
 }
 
-// The rate of a parabola in each step is the slope at the middle of the step.
-TEST(RateOfChange, ParabolaIsExact) {
-  const std::vector<double> series{0.0, 1.0, 4.0, 9.0};
-  EXPECT_THAT(rate_of_change(series, 0.5), ::testing::ElementsAre(2.0, 6.0, 10.0));
-  EXPECT_TRUE(rate_of_change(std::vector<double>{1.0}, 0.5).empty());
-}
-
 }  // namespace
 }  // namespace lac::sim

@@ -82,12 +82,58 @@ TEST_F(AnalysisProgramTest, Life) {
   EXPECT_THAT(error(), HasSubstr("has 2 controllers (fb, lac), expected 1; --controller names it"));
 }
 
-// A record too short for its windows is no error of the program; a wrong channel is.
+// Tables of loads of two conventions do not compare.
+TEST_F(AnalysisProgramTest, ConventionsOfLoads) {
+  ASSERT_EQ(lac("stats a.out --csv one.csv"), 0) << error();
+  ASSERT_EQ(lac("stats a.out --csv two.csv --reference 2e6in20y"), 0) << error();
+  EXPECT_THAT(folder_.read("two.csv"), HasSubstr("a.out,2e6in20y,astm,"));
+  const std::string load = " --quantities TwrBsMyt_del4";
+  EXPECT_EQ(lac("compare one.csv two.csv" + load), 1);
+  EXPECT_THAT(error(), HasSubstr("of different conventions"));
+  ASSERT_EQ(lac("compare one.csv one.csv" + load), 0) << error();
+  EXPECT_THAT(out(), HasSubstr("DEL: R the full range, reference one cycle per second"));
+  ASSERT_EQ(lac("life two.csv" + load), 0) << error();
+  EXPECT_THAT(out(), HasSubstr("DEL: R the full range, reference 2e6 cycles in 20 years"));
+}
+
+// What nothing would come of is refused: of tables and of folders.
+TEST_F(AnalysisProgramTest, OptionsWithoutEffect) {
+  for (const char* option :
+       {"--from 1", "--to 3", "--woehler 4", "--reference 1hz", "--rainflow astm"}) {
+    EXPECT_EQ(lac(std::string("compare t.csv ") + option), 1) << option;
+    EXPECT_THAT(error(), HasSubstr(" has no effect: the figures of a table are computed already"));
+    EXPECT_EQ(lac(std::string("life t.csv --controller fb ") + option), 1) << option;
+    EXPECT_THAT(error(), HasSubstr(" has no effect: the figures of a table are computed already"));
+  }
+  std::filesystem::create_directory(folder_.path("runs"));
+  folder_.write("runs/a.out", folder_.read("a.out"));
+  for (const char* option : {"--where a=b", "--pair-by seed", "--column name"}) {
+    EXPECT_EQ(lac(std::string("compare runs runs ") + option), 1) << option;
+    EXPECT_THAT(error(), HasSubstr(" has no effect: it is for tables"));
+    EXPECT_EQ(lac(std::string("life runs ") + option), 1) << option;
+    EXPECT_THAT(error(), HasSubstr(" has no effect: it is for tables"));
+  }
+  EXPECT_EQ(lac("life runs --controller fb"), 1);
+  EXPECT_THAT(error(), HasSubstr("--controller has no effect: runs is a folder"));
+  EXPECT_EQ(lac("compare runs runs --against fb"), 1);
+  EXPECT_THAT(error(), HasSubstr("--against has no effect: runs is a folder"));
+  ASSERT_EQ(lac("compare runs runs --from 1 --quantities GenPwr_mean"), 0) << error();
+}
+
+// Options reach the command; a record too short for its windows, a wrong channel and numbers that
+// cannot be are errors.
 TEST_F(AnalysisProgramTest, Correlate) {
   const std::string channels = " --power GenPwr --pitch GenPwr --load TwrBsMyt --rate 1";
-  ASSERT_EQ(lac("correlate a.out --wind Wind1VelX --ranges 50 --window 75" + channels), 0)
-      << error();
+  const std::string wind = "correlate a.out --wind Wind1VelX --ranges 50";
+  ASSERT_EQ(lac(wind + " --window 4 --max-delay 0" + channels), 0) << error();
   EXPECT_THAT(out(), HasSubstr("Wind1VelX: 4 samples: 0 missing"));
+  EXPECT_EQ(lac(wind + " --window 75" + channels), 1);
+  EXPECT_THAT(error(), HasSubstr("no complete window: the series have 4.0 s, a window of 75.0 s"));
+  for (const char* option : {"--fill -1", "--ti 0", "--rated-power -5", "--availability 1.5",
+                             "--window 0", "--block -3"}) {
+    EXPECT_EQ(lac(wind + channels + " " + option), 1) << option;
+    EXPECT_THAT(error(), HasSubstr(std::string(option).substr(0, 4)));
+  }
   EXPECT_EQ(lac("correlate a.out --wind Wind1VelY" + channels), 1);
   EXPECT_THAT(error(), HasSubstr("(did you mean 'Wind1VelX'?)"));
 }

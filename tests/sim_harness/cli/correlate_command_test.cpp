@@ -113,7 +113,23 @@ TEST_F(CorrelateCommandTest, Faults) {
   EXPECT_THAT(test::error_text([&] { run(); }),
               HasSubstr("no file has a channel 'Lidar55' (did you mean 'Lidar50'?)"));
   options_.input.from_s = 5000.0;
-  EXPECT_THAT(test::error_text([&] { run(); }), HasSubstr("no time in common"));
+  EXPECT_THAT(
+      test::error_text([&] { run(); }),
+      HasSubstr("--from 5000.00 s is beyond the common time of the files, 10.00 to 960.00 s"));
+}
+
+// Blocks without a frequency, delays the wrong way round, no window: said, not left empty.
+TEST_F(CorrelateCommandTest, NothingToTell) {
+  options_.block_s = 1.5;
+  EXPECT_THAT(test::error_text([&] { run(); }),
+              HasSubstr("--block 1.50 s is 6.0 samples at --rate 4.00 Hz, expected at least 7"));
+  options_.block_s = 75.0;
+  options_.lags.min_s = 40.0;
+  EXPECT_THAT(test::error_text([&] { run(); }),
+              HasSubstr("--min-delay 40.00 s is above --max-delay 20.00 s"));
+  options_.lags.min_s = 0.0;
+  options_.window.length_s = 1000.0;
+  EXPECT_THAT(test::error_text([&] { run(); }), HasSubstr("no complete window: the series have "));
 }
 
 }  // namespace

@@ -109,5 +109,33 @@ TEST(CompareRuns, Faults) {
   EXPECT_THAT(error_of(other, all()), HasSubstr("GenPwr_mean: is in [kW] of 'fb' and in [MW]"));
 }
 
+// Loads of two conventions do not compare, other figures do.
+TEST(CompareRuns, ConventionOfLoads) {
+  RunTable a = baseline(), b = baseline();
+  a.del_rule = b.del_rule = DelRule{};
+  EXPECT_EQ(compare_runs(a, b, all()).del_text, DelRule{}.text());
+  b.del_rule->counting = RainflowRule::kFourPoint;
+  EXPECT_THAT(test::error_text([&] { compare_runs(a, b, all()); }),
+              HasSubstr("are of different conventions and do not compare"));
+  ComparisonOptions power;
+  power.quantities = {"GenPwr_mean"};
+  EXPECT_EQ(compare_runs(a, b, power).del_text, "");
+  b.del_rule.reset();
+  EXPECT_THAT(compare_runs(a, b, all()).del_text, HasSubstr("; B: convention not known"));
+}
+
+// Rows that were not done: those of one table once, those of two together.
+TEST(CompareRuns, LeftOut) {
+  RunTable a = baseline(), b = baseline();
+  a.left_out = 2;
+  b.left_out = 3;
+  a.source = "a.csv";
+  b.source = "b.csv";
+  EXPECT_EQ(compare_runs(a, b, all()).left_out, 5U);
+  b.left_out = 2;
+  b.source = a.source;
+  EXPECT_EQ(compare_runs(a, b, all()).left_out, 2U);
+}
+
 }  // namespace
 }  // namespace lac::sim

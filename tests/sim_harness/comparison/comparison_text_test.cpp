@@ -39,6 +39,18 @@ TEST(ComparisonText, TableAndWords) {
   EXPECT_THAT(text, HasSubstr("0 runs of A, 1 of B; not done and left out: 3 rows"));
 }
 
+// What the loads are is said; that it is not known, too; without loads nothing.
+TEST(ComparisonText, ConventionOfLoads) {
+  const WindDistribution wind = WindDistribution::rayleigh(10.0);
+  Comparison c = example();
+  EXPECT_THAT(comparison_text(c, wind), HasSubstr("\nDEL: convention not known"));
+  c.del_text = DelRule{}.text();
+  EXPECT_THAT(comparison_text(c, wind),
+              HasSubstr("\nDEL: R the full range, reference one cycle per second"));
+  c.del_text.clear();
+  EXPECT_THAT(comparison_text(c, wind), ::testing::Not(HasSubstr("DEL:")));
+}
+
 // The written table has the same numbers, and the life as a row of its own.
 TEST(ComparisonCsv, RowsPerSpeedAndLife) {
   const test::TempFolder folder;

@@ -55,6 +55,16 @@ TEST(LifeTable, Text) {
   EXPECT_FALSE(t.quantities[0].life);
 }
 
+// What the loads are is said where there are loads.
+TEST(LifeTable, ConventionOfLoads) {
+  RunTable known = runs();
+  known.del_rule = DelRule{};
+  const WindDistribution wind = WindDistribution::rayleigh(10.0);
+  EXPECT_THAT(life_text(life_table(known, {"TwrBsMyt_del4"}, wind), wind),
+              HasSubstr("\nDEL: R the full range, reference one cycle per second"));
+  EXPECT_EQ(life_table(known, {"GenPwr_mean"}, wind).del_text, "");
+}
+
 // The usual ones are those that all tables have, in one order.
 TEST(UsualQuantities, OfAllTables) {
   const RunTable both = runs();

@@ -100,6 +100,48 @@ TEST(RunsOfTable, Faults) {
               HasSubstr("v.csv:2: column 'x [m]': found 'many', expected a number"));
 }
 
+// An empty cell is no wind speed.
+TEST(RunsOfTable, WindMissing) {
+  const test::TempFolder folder;
+  const CsvTable table(folder.write("t.csv", "mean_speed_mps,seed,x [m]\n12,1,2\n,2,2\n"));
+  EXPECT_THAT(
+      test::error_text([&] { runs_of_table(table, "", {}); }),
+      HasSubstr("t.csv:3: column 'mean_speed_mps': found '', expected the wind speed of the run"));
+}
+
+// What the loads are stands in two columns, the same for all runs, and does not pair.
+TEST(RunsOfTable, ConventionOfLoads) {
+  const test::TempFolder folder;
+  const auto runs = [&](const std::string& first, const std::string& second) {
+    const CsvTable table(
+        folder.write("t.csv", "mean_speed_mps,seed,del_reference,del_rainflow,x_del4 [m]\n12,1," +
+                                  first + ",2\n12,2," + second + ",2\n"));
+    return runs_of_table(table, "", {});
+  };
+  const RunTable known = runs("2e6in20y,four-point", "2e6in20y,four-point");
+  EXPECT_EQ(known.del_rule,
+            (DelRule{ReferenceCycles::kTwoMillionInTwentyYears, RainflowRule::kFourPoint}));
+  EXPECT_EQ(known.runs[0].key, "seed=1;");
+  EXPECT_FALSE(runs(",", ",").del_rule);
+  EXPECT_THAT(test::error_text([&] { runs("1hz,astm", "2e6in20y,astm"); }),
+              HasSubstr("t.csv:3: its damage-equivalent loads are of another convention than"));
+  EXPECT_THAT(test::error_text([&] { runs("2hz,astm", "2hz,astm"); }),
+              HasSubstr("found '2hz', 'astm', expected 1hz or 2e6in20y"));
+}
+
+// Two controllers in one folder flew in one wind, not in two.
+TEST(RunsOfFolder, OneWindEach) {
+  const test::TempFolder folder;
+  const std::string names = "time,RtVAvgxh [m/s],GenPwr [kW]\n";
+  folder.write("fb.csv", names + "0,11.5,4000\n1,12.5,4100\n");
+  folder.write("other.csv", names + "0,11.5,4000\n1,12.4,4100\n");
+  EXPECT_EQ(runs_of_folder(folder.path(), {}, {}).runs.size(), 2U);
+  folder.write("lac.csv", names + "0,11.5,4010\n1,12.5,4090\n");
+  EXPECT_THAT(test::error_text([&] { runs_of_folder(folder.path(), {}, {}); }),
+              HasSubstr("lac.csv: has the same wind (RtVAvgxh) as " + folder.file("fb.csv") +
+                        ": in a folder one file is one wind"));
+}
+
 // A folder of time series: its name, keys from the files, figures computed.
 TEST(RunsOfFolder, TimeSeries) {
   const test::TempFolder folder;

@@ -27,8 +27,6 @@ TEST(CsvTable, ColumnsAndCells) {
   EXPECT_EQ(t.column("TwrBsMyt_del4 [kNm]"), 2U);
   EXPECT_EQ(t.number(0, 2), 15000.0);
   EXPECT_TRUE(std::isnan(t.number(1, 2)));
-  EXPECT_TRUE(t.is_numeric(2));
-  EXPECT_FALSE(t.is_numeric(1));
   EXPECT_EQ(unit_in(t.names()[2]), "kNm");
   EXPECT_EQ(unit_in("case"), "");
 }

@@ -101,5 +101,19 @@ TEST(OutbReaderTest, Faults) {
   EXPECT_THAT(error_of(folder.write("d.outb", bytes)), HasSubstr("ends too early"));
 }
 
+// Sizes of a damaged header are held against the file before memory is taken for them.
+TEST(OutbReaderTest, SizesBeyondTheFile) {
+  const test::TempFolder folder;
+  const auto head = [](std::int32_t rows) {
+    return bytes(std::int16_t{3}, std::int32_t{1}, rows, 0.0, 0.25);
+  };
+  EXPECT_THAT(error_of(folder.write("a.outb", head(2000000000) + short_names() + bytes(5.0))),
+              HasSubstr("a.outb: ends too early for an OpenFAST output file: found 8 bytes where "
+                        "its header tells of 16000000000"));
+  EXPECT_THAT(error_of(folder.write("b.outb", head(1) + bytes(std::int32_t{2147483647}) + "text")),
+              HasSubstr("b.outb: ends too early for an OpenFAST output file: found 4 bytes where "
+                        "its header tells of 2147483647"));
+}
+
 }  // namespace
 }  // namespace lac::sim

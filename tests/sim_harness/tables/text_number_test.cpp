@@ -32,5 +32,14 @@ TEST(NumberIn, NotANumber) {
     EXPECT_FALSE(number_in(text)) << text;
 }
 
+// Units of files, shares in reports.
+TEST(TextNumber, UnitsAndShares) {
+  EXPECT_EQ(without_brackets("(kNm)"), "kNm");
+  EXPECT_EQ(without_brackets("[kNm]"), "kNm");
+  EXPECT_EQ(without_brackets("kNm"), "kNm");
+  EXPECT_EQ(without_brackets(""), "-");
+  EXPECT_EQ(percent_text(0.12345, 1), "12.3 %");
+}
+
 }  // namespace
 }  // namespace lac::sim
