@@ -40,6 +40,21 @@ TEST(DesignCommand, WritesWhatTheFeedforwardNeeds) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
+// The template is not written over: its tuning would be lost.
+TEST(DesignCommand, LeavesItsTemplateAlone) {
+  const test::TempFolder folder;
+  const std::filesystem::path own = folder.path() / "out/ffp.IN";
+  std::filesystem::create_directories(own.parent_path());
+  std::filesystem::copy_file(LAC_SOURCE_DIR "/config/nrel5mw/ffp.IN", own);
+  const auto size = std::filesystem::file_size(own);
+  DesignOptions options = coarse(folder);
+  options.overrides.push_back("feedforward.template=" + own.string());
+  std::ostringstream out;
+  EXPECT_THAT([&] { design_command(options, out); },
+              ThrowsMessage<Error>(HasSubstr("is the template of the design")));
+  EXPECT_EQ(std::filesystem::file_size(own), size);
+}
+
 // Steps too coarse for a number to be trusted are an error, not a number.
 TEST(DesignCommand, RefusesAQuadratureThatHasNotConverged) {
   const test::TempFolder folder;
