@@ -6,9 +6,7 @@
 #include <span>
 
 #include "sim_harness/wind/kaimal_row.hpp"
-#include "sim_harness/wind/parallel_jobs.hpp"
 #include "sim_harness/wind/parameter_check.hpp"
-#include "sim_harness/wind/time_transform.hpp"
 
 namespace lac::sim {
 namespace {
@@ -73,10 +71,10 @@ class KaimalPlanes::RowWorker {
         frozen ? own_ : std::span(planes_.amplitudes_).subspan(job * row_.size(), row_.size());
     row_.select(job + 1);
     planes_.coherence_error_[job] = row_.coherence_error();
-    if (frozen || planes_.planes_ == 0) {
+    if (frozen || planes_.planes_.at_rotor()) {
       row_.draw(planes_.seed_, amplitudes);
     } else {
-      row_.evolve(planes_.lead_m_, planes_.seed_, planes_.planes_, amplitudes);
+      row_.evolve(planes_.planes_.lead_m(), planes_.seed_, planes_.planes_.count(), amplitudes);
     }
     put_turbulence(amplitudes, job + 1, grid_);
   }
@@ -95,23 +93,16 @@ KaimalPlanes::KaimalPlanes(const KaimalFieldParams& params)
 }
 
 GriddedWind KaimalPlanes::next(double distance_m) {
-  require(planes_ == 0 ? distance_m == 0.0 : std::isfinite(distance_m) && distance_m > distance_m_,
-          kWhere, "distance of a plane [m]", distance_m,
-          planes_ == 0 ? "0 for the first" : "more than that of the plane before it");
-  lead_m_ = distance_m - distance_m_;
-  VelocityGrid grid(source_.grid());
-  const int threads = source_.params().threads;
-  for_each_job(source_.harmonics(), threads, [&] { return RowWorker(*this, grid); });
-  amplitudes_to_series(grid, source_.mean_profile_mps(), threads);
-  distance_m_ = distance_m;
-  ++planes_;
-  return GriddedWind(std::move(grid));
+  planes_.begin(kWhere, distance_m);
+  GriddedWind plane =
+      draw_plane(source_, [&](VelocityGrid& grid) { return RowWorker(*this, grid); });
+  planes_.end();
+  return plane;
 }
 
 void KaimalPlanes::restart(std::uint64_t seed) {
   seed_ = seed;
-  planes_ = 0;
-  distance_m_ = 0.0;
+  planes_ = {};
 }
 
 KaimalReport KaimalPlanes::report() const {
@@ -131,11 +122,8 @@ EvolvingGrids draw_evolving_kaimal(const KaimalFieldParams& params, const PlaneL
   require(params.evolution.decay > 0.0, kWhere, "evolution.decay", params.evolution.decay,
           "a number above 0 for planes that evolve");
   const KaimalSource source(params);
-  EvolvingGrids grids = empty_grids(layout, source.grid(), demand);
-  const int threads = params.threads;
-  for_each_job(source.harmonics(), threads, [&] { return EvolvingRowWorker(source, grids); });
-  amplitudes_to_series(grids, source.mean_profile_mps(), threads);
-  return grids;
+  return draw_planes(source, layout, demand,
+                     [&](EvolvingGrids& grids) { return EvolvingRowWorker(source, grids); });
 }
 
 }  // namespace lac::sim

@@ -8,6 +8,7 @@
 #include "sim_harness/wind/evolving_grids.hpp"
 #include "sim_harness/wind/gridded_wind.hpp"
 #include "sim_harness/wind/kaimal_source.hpp"
+#include "sim_harness/wind/plane_drawing.hpp"
 
 namespace lac::sim {
 
@@ -59,9 +60,7 @@ class KaimalPlanes {
 
   KaimalSource source_;
   std::uint64_t seed_;
-  std::size_t planes_ = 0;                       // handed out
-  double distance_m_ = 0.0;                      // of the last one
-  double lead_m_ = 0.0;                          // from it to the one in work
+  PlaneSequence planes_;
   std::vector<std::complex<float>> amplitudes_;  // of the last plane, [m - 1][component][z][y]
   std::vector<double> coherence_error_;          // [m - 1]
 };

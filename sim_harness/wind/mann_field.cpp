@@ -6,9 +6,7 @@
 
 #include "sim_harness/wind/complex_normal.hpp"
 #include "sim_harness/wind/mann_row.hpp"
-#include "sim_harness/wind/parallel_jobs.hpp"
 #include "sim_harness/wind/parameter_check.hpp"
-#include "sim_harness/wind/time_transform.hpp"
 
 namespace lac::sim {
 namespace {
@@ -84,13 +82,14 @@ class MannPlanes::RowWorker {
     const std::span<Complex> noise =
         frozen ? own_noise_
                : std::span(planes_.noise_).subspan(job * row_.noise_size(), row_.noise_size());
-    const int plane = frozen ? 0 : planes_.planes_;
+    const int plane = frozen ? 0 : planes_.planes_.count();
     ComplexNormal normal(planes_.seed_, plane, m);
     row_.select(planes_.source_.k1_radpm(m));
     if (plane == 0) {
       MannRow::draw(normal, noise);
     } else {
-      row_.evolve(planes_.lead_s_, normal, noise);
+      row_.evolve(planes_.planes_.lead_m() / planes_.source_.params().mean_speed_mps, normal,
+                  noise);
     }
     put_turbulence(planes_.source_, m, noise, row_, grid_);
   }
@@ -109,23 +108,16 @@ MannPlanes::MannPlanes(const MannFieldParams& params) : source_(params), seed_(p
 }
 
 GriddedWind MannPlanes::next(double distance_m) {
-  require(planes_ == 0 ? distance_m == 0.0 : std::isfinite(distance_m) && distance_m > distance_m_,
-          kWhere, "distance of a plane [m]", distance_m,
-          planes_ == 0 ? "0 for the first" : "more than that of the plane before it");
-  lead_s_ = (distance_m - distance_m_) / source_.params().mean_speed_mps;
-  VelocityGrid grid(source_.grid());
-  const int threads = source_.params().threads;
-  for_each_job(source_.harmonics(), threads, [&] { return RowWorker(*this, grid); });
-  amplitudes_to_series(grid, source_.mean_profile_mps(), threads);
-  distance_m_ = distance_m;
-  ++planes_;
-  return GriddedWind(std::move(grid));
+  planes_.begin(kWhere, distance_m);
+  GriddedWind plane =
+      draw_plane(source_, [&](VelocityGrid& grid) { return RowWorker(*this, grid); });
+  planes_.end();
+  return plane;
 }
 
 void MannPlanes::restart(std::uint64_t seed) {
   seed_ = seed;
-  planes_ = 0;
-  distance_m_ = 0.0;
+  planes_ = {};
 }
 
 GriddedWind make_mann_field(const MannFieldParams& params) {
@@ -139,11 +131,8 @@ EvolvingGrids draw_evolving_mann(const MannFieldParams& params, const PlaneLayou
   require(std::isfinite(params.model.evolution_s), kWhere, "evolution_s", params.model.evolution_s,
           "a finite time for planes that evolve");
   const MannSource source(params);
-  EvolvingGrids grids = empty_grids(layout, source.grid(), demand);
-  const int threads = source.params().threads;
-  for_each_job(source.harmonics(), threads, [&] { return EvolvingRowWorker(source, grids); });
-  amplitudes_to_series(grids, source.mean_profile_mps(), threads);
-  return grids;
+  return draw_planes(source, layout, demand,
+                     [&](EvolvingGrids& grids) { return EvolvingRowWorker(source, grids); });
 }
 
 }  // namespace lac::sim

@@ -7,6 +7,7 @@
 
 #include "sim_harness/wind/evolving_wind.hpp"
 #include "sim_harness/wind/mann_source.hpp"
+#include "sim_harness/wind/plane_drawing.hpp"
 
 namespace lac::sim {
 
@@ -47,9 +48,7 @@ class MannPlanes {
 
   MannSource source_;
   std::uint64_t seed_;
-  int planes_ = 0;                          // handed out
-  double distance_m_ = 0.0;                 // of the last one
-  double lead_s_ = 0.0;                     // from it to the one in work
+  PlaneSequence planes_;
   std::vector<std::complex<float>> noise_;  // n of the last plane, [k1][component][k3][k2]
 };
 
