@@ -2,11 +2,11 @@
 #include "bridge/rosco_input.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "core/plain_number.hpp"
 #include "core/suggest.hpp"
 
 namespace lac {
@@ -55,10 +55,10 @@ class RoscoInput {
       Entry found{0.0, file_ + ":" + std::to_string(i + 1) + ": " + key + ": "};
       std::ranges::replace_if(
           value, [](char c) { return c == 'd' || c == 'D'; }, 'e');
-      const char* end = value.data() + value.size();
-      const auto parsed = std::from_chars(value.data(), end, found.value);
-      if (parsed.ec == std::errc{} && parsed.ptr == end) return found;
-      fail(found.where + "found '" + value + "', expected a number");
+      const std::optional<double> number = plain_number(value);
+      if (!number) fail(found.where + "found '" + value + "', expected a number");
+      found.value = *number;
+      return found;
     }
     fail(file_ + ": " + key + ": missing");
   }

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/native_path.hpp"
+#include "core/plain_number.hpp"
 #include "core/suggest.hpp"
 
 namespace lac {
@@ -64,10 +65,9 @@ bool parse_number(std::string word, double& value) {
   for (char& c : word) {
     if (c == 'd' || c == 'D') c = 'e';  // Fortran exponents
   }
-  const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-  const auto result = std::from_chars(begin, word.data() + word.size(), value);
-  return result.ec == std::errc{} && result.ptr == word.data() + word.size() &&
-         std::isfinite(value);
+  const std::optional<double> number = plain_number(without_plus(word));
+  value = number.value_or(value);
+  return number && std::isfinite(value);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/plain_number.hpp"
 #include "core/rotor_table.hpp"
 #include "core/units.hpp"
 
@@ -120,14 +121,12 @@ class Reader {
   }
 
   double number(std::string_view word) const {
-    const std::string_view digits = word.substr(word[0] == '+' ? 1 : 0);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    const std::optional<double> value = plain_number(without_plus(word));
+    if (!value || !std::isfinite(*value)) {
       fail(line_, std::string("\"") + kSectionNames[*current_] + "\" has \"" + std::string(word) +
                       "\"; expected a number");
     }
-    return value;
+    return *value;
   }
 
   const Block& require(Section section) const {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
+#include "core/plain_number.hpp"
 #include "core/suggest.hpp"
 #include "sim_harness/campaign/study_node.hpp"
 #include "sim_harness/config/yaml_reader.hpp"
@@ -22,17 +22,10 @@ constexpr char kRangeForms[] =
     "a list of values, {from: , to: , step: }, or names with the keys that each sets";
 constexpr double kMostValues = 100000.0;
 
-std::optional<double> as_number(const std::string& word) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return value;
-}
-
 /// Two ways to write one number count as the same.
 bool same_name(const std::string& a, const std::string& b) {
-  const std::optional<double> x = as_number(a);
-  const std::optional<double> y = as_number(b);
+  const std::optional<double> x = plain_number(a);
+  const std::optional<double> y = plain_number(b);
   return a == b || (x && y && *x == *y);
 }
 

@@ -2,10 +2,10 @@
 #include "sim_harness/campaign/study_node.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/plain_number.hpp"
 
 namespace lac::sim {
 namespace {
@@ -51,12 +51,9 @@ std::vector<StudyNode> StudyNode::items(const char* expected) const {
 
 double StudyNode::number() const {
   const std::string word = node_.IsScalar() ? node_.Scalar() : "";
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
-    fail("found " + found(node_) + ", expected a number");
-  }
-  return value;
+  const std::optional<double> value = plain_number(word);
+  if (!value || !std::isfinite(*value)) fail("found " + found(node_) + ", expected a number");
+  return *value;
 }
 
 std::string StudyNode::flow_text() const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/plain_number.hpp"
 #include "core/suggest.hpp"
 
 namespace lac::sim {
@@ -169,17 +170,14 @@ std::string YamlReader::scalar(const YAML::Node& node, const std::string& key,
 
 double YamlReader::to_number(const YAML::Node& node, const std::string& key, Range range) const {
   const std::string word = scalar(node, key, "a number");
-  const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
-  const char* last = word.data() + word.size();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last || !std::isfinite(value)) {
+  const std::optional<double> value = plain_number(without_plus(word));
+  if (!value || !std::isfinite(*value)) {
     fail_at(key, node.Mark(), "found '" + word + "', expected a number");
   }
-  if (!range.contains(value)) {
+  if (!range.contains(*value)) {
     fail_at(key, node.Mark(), "found " + word + ", expected " + range.text());
   }
-  return value;
+  return *value;
 }
 
 double YamlReader::number(const std::string& key, Range range) {

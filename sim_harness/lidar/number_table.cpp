@@ -2,11 +2,11 @@
 #include "sim_harness/lidar/number_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/plain_number.hpp"
 
 namespace lac::sim {
 namespace {
@@ -28,13 +28,6 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-bool to_number(const std::string& word, double& value) {
-  const char* first = word.data() + (word.front() == '+' ? 1 : 0);
-  const char* last = word.data() + word.size();
-  const auto [end, problem] = std::from_chars(first, last, value);
-  return problem == std::errc() && end == last && std::isfinite(value);
-}
-
 }  // namespace
 
 std::vector<NumberRow> load_number_table(const std::filesystem::path& file, std::size_t fewest,
@@ -48,11 +41,11 @@ std::vector<NumberRow> load_number_table(const std::filesystem::path& file, std:
     if (words.empty() || words.front().front() == '#' || words.front().front() == '!') continue;
     NumberRow row{line, {}};
     for (const std::string& word : words) {
-      double value = 0.0;
-      if (!to_number(word, value)) {
+      const std::optional<double> value = plain_number(without_plus(word));
+      if (!value || !std::isfinite(*value)) {
         fail(file, line, "found '" + word + "', expected a number: " + columns);
       }
-      row.values.push_back(value);
+      row.values.push_back(*value);
     }
     const std::size_t wanted = rows.empty() ? 0 : rows.front().values.size();
     const std::size_t found = row.values.size();

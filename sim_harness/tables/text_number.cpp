@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/tables/text_number.hpp"
 
-#include <charconv>
 #include <limits>
 
+#include "core/plain_number.hpp"
 #include "core/suggest.hpp"
 #include "sim_harness/output/text_table.hpp"
 
@@ -11,13 +11,6 @@ namespace lac::sim {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-std::optional<double> plain_number(std::string_view word) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
 
 /// "1.5D+02" and "1.5-101" with an E in its place; the word itself if it has neither.
 std::string with_exponent_letter(std::string_view word) {
@@ -44,7 +37,7 @@ std::optional<double> number_in(std::string_view text) {
   std::string_view word = trimmed(text);
   if (word.empty() || equal_ignoring_case(word, "na") || equal_ignoring_case(word, "n/a"))
     return std::numeric_limits<double>::quiet_NaN();
-  if (word.starts_with('+')) word.remove_prefix(1);
+  word = without_plus(word);
   if (const auto value = plain_number(word)) return value;
   return plain_number(with_exponent_letter(word));
 }

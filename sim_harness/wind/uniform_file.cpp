@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/wind/uniform_file.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/part_file.hpp"
+#include "core/plain_number.hpp"
 #include "core/units.hpp"
 
 namespace lac::sim {
@@ -28,12 +28,11 @@ struct Place {
 };
 
 double number(std::string_view word, const Place& place) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    place.fail("found '" + std::string(word.substr(0, 40)) + "', expected a number");
-  return value;
+  const std::string_view digits = without_plus(word);
+  const std::optional<double> value = plain_number(digits);
+  if (!value || !std::isfinite(*value))
+    place.fail("found '" + std::string(digits.substr(0, 40)) + "', expected a number");
+  return *value;
 }
 
 std::vector<double> numbers(std::string_view line, const Place& place) {
