@@ -9,6 +9,7 @@
 
 #include "core/units.hpp"
 #include "sim_harness/wind/stability.hpp"
+#include "tests/sim_harness/design/design_lidars.hpp"
 
 namespace lac::sim {
 namespace {
@@ -25,17 +26,10 @@ double density(const KaimalComponent& c, double k1_radpm) {
   return c.spectrum(k1_radpm * kSpeed_mps / (2.0 * kPi), kSpeed_mps);
 }
 
-LidarParams points_at(std::vector<double> azimuths_deg, std::vector<double> gates_m) {
-  LidarParams lidar;
-  for (const double a : azimuths_deg) lidar.scan.beams.push_back({rad_from_deg(a), 0.0, 0.0, {}});
-  lidar.gates_m = std::move(gates_m);
-  lidar.gates_along_beam = false;
-  lidar.weighting.fwhm_m = 0.0;
-  return lidar;
-}
-
-LidarParams four_beams() {
-  return load_lidar(std::filesystem::path(LAC_SOURCE_DIR) / "config/lidars/four_beam_pulsed.yaml");
+LidarParams level_points_at(std::vector<double> azimuths_deg, std::vector<double> gates_m) {
+  std::vector<LidarBeam> beams;
+  for (const double a : azimuths_deg) beams.push_back({rad_from_deg(a), 0.0, 0.0, {}});
+  return points_at(std::move(beams), std::move(gates_m));
 }
 
 /// One-sided in f.
@@ -57,14 +51,14 @@ Found spectra(const KaimalTurbulence& t, const LidarParams& lidar, double radius
 TEST(KaimalCorrelation, OfAPointOnTheAxisIsTheCoherenceAlongTheWind) {
   KaimalTurbulence t = turbulence(Stability::kNeutral, LateralCoherence::kSameAsU);
   for (const double k1 : {0.002, 0.05}) {
-    const Found f = spectra(t, points_at({0.0}, {100.0}), 0.0, k1);
+    const Found f = spectra(t, level_points_at({0.0}, {100.0}), 0.0, k1);
     EXPECT_NEAR(f.s_rr / density(t.model.u, k1), 1.0, 1e-7);
     EXPECT_NEAR(f.s_ll / density(t.model.u, k1), 1.0, 1e-12);
     const double gamma_sq = std::exp(-1.8 * 100.0 * std::hypot(k1 / (2.0 * kPi), 1.49e-4));
     EXPECT_NEAR(f.abs_s_rl * f.abs_s_rl / (f.s_rr * f.s_ll), gamma_sq, 1e-7);
   }
   t.evolution = {};
-  const Found frozen = spectra(t, points_at({0.0}, {100.0}), 0.0, 0.02);
+  const Found frozen = spectra(t, level_points_at({0.0}, {100.0}), 0.0, 0.02);
   EXPECT_NEAR(frozen.abs_s_rl / frozen.s_ll, 1.0, 1e-12);
 }
 
@@ -74,7 +68,7 @@ TEST(KaimalCorrelation, TakesVAsTheConventionSays) {
   for (const LateralCoherence lateral :
        {LateralCoherence::kSameAsU, LateralCoherence::kIndependent}) {
     const KaimalTurbulence t = turbulence(Stability::kNeutral, lateral);
-    const Found f = spectra(t, points_at({angle_deg, -angle_deg}, {100.0}), 63.0, k1);
+    const Found f = spectra(t, level_points_at({angle_deg, -angle_deg}, {100.0}), 63.0, k1);
     const double gamma = t.model.root_coherence(50.0, k1 * kSpeed_mps / (2.0 * kPi), kSpeed_mps);
     const double of_v = lateral == LateralCoherence::kSameAsU ? 1.0 - gamma : 1.0;
     const double expected =
@@ -86,7 +80,7 @@ TEST(KaimalCorrelation, TakesVAsTheConventionSays) {
 // Independent v and w leave nothing in a continuous volume, and of three points 3/8.
 TEST(KaimalCorrelation, AveragesIndependentComponentsOut) {
   KaimalTurbulence t = turbulence(Stability::kNeutral, LateralCoherence::kIndependent);
-  LidarParams lidar = points_at({20.0}, {100.0});
+  LidarParams lidar = level_points_at({20.0}, {100.0});
   const auto s_ll = [&](VolumeModel model, double fwhm_m) {
     lidar.weighting.fwhm_m = fwhm_m;
     return spectra(t, lidar, 63.0, 0.01, {.model = model}).s_ll;

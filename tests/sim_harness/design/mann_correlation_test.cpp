@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "sim_harness/wind/stability.hpp"
+#include "tests/sim_harness/design/design_lidars.hpp"
 
 namespace lac::sim {
 namespace {
@@ -24,19 +25,6 @@ MannParams neutral(double evolution_s = std::numeric_limits<double>::infinity())
   MannParams p = stability_mann(Stability::kNeutral);
   p.evolution_s = evolution_s;
   return p;
-}
-
-LidarParams points_at(std::vector<LidarBeam> beams, std::vector<double> gates_m) {
-  LidarParams lidar;
-  lidar.scan.beams = std::move(beams);
-  lidar.gates_m = std::move(gates_m);
-  lidar.gates_along_beam = false;
-  lidar.weighting.fwhm_m = 0.0;
-  return lidar;
-}
-
-LidarParams four_beams() {
-  return load_lidar(std::filesystem::path(LAC_SOURCE_DIR) / "config/lidars/four_beam_pulsed.yaml");
 }
 
 RotorLidarSpectra spectra(const MannParams& turbulence, const LidarParams& lidar, double radius_m,

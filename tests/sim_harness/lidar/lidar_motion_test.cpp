@@ -10,6 +10,7 @@
 #include "sim_harness/lidar/function_wind.hpp"
 #include "sim_harness/lidar/lidar_sim.hpp"
 #include "support/error_text.hpp"
+#include "tests/sim_harness/lidar/rough_sea.hpp"
 
 namespace lac::sim {
 namespace {
@@ -37,17 +38,6 @@ LidarParams four_beams() {
   return p;
 }
 
-PlatformMotion rough_sea() {
-  PlatformMotion p;
-  p.freedoms[kSurge].harmonics = {{2.0, 12.0, 0.3}};
-  p.freedoms[kSway].harmonics = {{1.0, 9.0, 0.0}};
-  p.freedoms[kHeave].harmonics = {{0.7, 8.0, 1.0}};
-  p.freedoms[kRoll].harmonics = {{0.05, 14.0, 0.0}};
-  p.freedoms[kPlatformPitch].harmonics = {{0.06, 25.0, 2.0}};
-  p.freedoms[kYaw].harmonics = {{0.1, 40.0, 0.0}};
-  return p;
-}
-
 /// Calls check for every measurement of 60 s.
 template <class Check>
 int each_measurement(LidarSim& lidar, Check&& check) {
@@ -67,7 +57,7 @@ int each_measurement(LidarSim& lidar, Check&& check) {
 TEST(LidarMotionTest, StillAirShowsTheMotionAlone) {
   const FunctionWind wind(still);
   LidarParams p = four_beams();
-  p.platform = rough_sea();
+  p.platform = rough_sea(0.06);
   LidarSim lidar(p, wind, kSetting);
   LidarMeasurement before;
   double fastest_mps = 0.0;
@@ -110,7 +100,7 @@ TEST(LidarMotionTest, UniformWindIsRecovered) {
   const FunctionWind wind(oblique);
   for (const MountingPlace place : {MountingPlace::kNacelle, MountingPlace::kSpinner}) {
     LidarParams p = four_beams();
-    p.platform = rough_sea();
+    p.platform = rough_sea(0.06);
     p.mounting.tower_slope = 1.5;
     p.mounting.place = place;
     LidarSim lidar(p, wind, kSetting);

@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
+#include "tests/sim_harness/lidar/rough_sea.hpp"
 
 namespace lac::sim {
 namespace {
@@ -29,18 +30,6 @@ void expect_consistent(const LidarPose& pose) {
   for (const Vec3& v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     expect_near(again * v, pose.R_IL * v, 1e-12);
   }
-}
-
-PlatformMotion rough_sea() {
-  PlatformMotion p;
-  p.freedoms[kSurge].harmonics = {{2.0, 12.0, 0.3}};
-  p.freedoms[kSway].harmonics = {{1.0, 9.0, 0.0}};
-  p.freedoms[kHeave].harmonics = {{0.7, 8.0, 1.0}};
-  p.freedoms[kRoll].harmonics = {{0.05, 14.0, 0.0}};
-  p.freedoms[kPlatformPitch].harmonics = {{0.08, 25.0, 2.0}};
-  p.freedoms[kYaw].harmonics = {{0.1, 40.0, 0.0}};
-  p.reference_height_m = -15.0;
-  return p;
 }
 
 /// A turbine that swings and turns, smoothly.
@@ -64,7 +53,9 @@ TEST(MountingTest, VelocityIsTheSlopeOfThePosition) {
     p.roll_rad = 0.2;
     p.yaw_rad = -0.3;
     p.tower_slope = 1.5;
-    const Mounting mounting(p, rough_sea(), kHub_m);
+    PlatformMotion sea = rough_sea(0.08);
+    sea.reference_height_m = -15.0;
+    const Mounting mounting(p, sea, kHub_m);
     for (double t = 0.3; t < 30.0; t += 0.7) {
       const double h = 1e-3;
       const Vec3 slope = (0.5 / h) * (mounting.pose(turbine_at(t + h), t + h).position_I_m -

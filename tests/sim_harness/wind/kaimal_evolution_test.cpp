@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "sim_harness/wind/stability.hpp"
 #include "tests/sim_harness/wind/kaimal_reference.hpp"
+#include "tests/sim_harness/wind/plane_comparison.hpp"
 
 namespace lac::sim {
 namespace {
@@ -132,27 +133,6 @@ KaimalFieldParams neutral_field() {
   return class_field(Stability::kNeutral, LateralCoherence::kSameAsU);
 }
 
-bool same_bits(const VelocityGrid& a, const VelocityGrid& b) {
-  for (int it = 0; it < a.spec().nt; ++it) {
-    if (!std::ranges::equal(a.plane(it), b.plane(it))) return false;
-  }
-  return true;
-}
-
-/// Whether the planes are those that KaimalPlanes gives, to the last bit, where they were kept.
-bool same_as_one_by_one(const EvolvingGrids& grids) {
-  KaimalPlanes planes(neutral_field());
-  bool same = same_bits(planes.next(0.0).take_grid(), grids.rotor);
-  for (std::size_t i = 0; i < grids.upwind.size(); ++i) {
-    const ThinnedGrid& found = grids.upwind[i];
-    const VelocityGrid whole = planes.next(grids.layout.distance_m(i + 1)).take_grid();
-    const ThinnedGrid expected(whole, found.columns());
-    for (std::size_t c = 0; c < found.columns().count(); ++c)
-      same = same && std::ranges::equal(found.column(c), expected.column(c));
-  }
-  return same;
-}
-
 // All planes at once are those drawn one by one, whole and thinned, on any number of threads; a
 // plane of which nothing is wanted does not change those behind it.
 TEST(KaimalPlanes, AllAtOnceAsOneByOne) {
@@ -161,14 +141,14 @@ TEST(KaimalPlanes, AllAtOnceAsOneByOne) {
   KaimalFieldParams p = neutral_field();
   for (const int threads : {1, 2, 3}) {
     p.threads = threads;
-    EXPECT_TRUE(same_as_one_by_one(draw_evolving_kaimal(p, layout)));
+    EXPECT_TRUE(same_as_one_by_one(draw_evolving_kaimal(p, layout), KaimalPlanes(neutral_field())));
     const EvolvingGrids thinned = draw_evolving_kaimal(p, layout, &demand);
     EXPECT_EQ(thinned.upwind[0].columns().count(), 4U);
     EXPECT_EQ(thinned.upwind[1].columns().count(), 0U);
-    EXPECT_TRUE(same_as_one_by_one(thinned));
+    EXPECT_TRUE(same_as_one_by_one(thinned, KaimalPlanes(neutral_field())));
   }
   p.seed = 2;
-  EXPECT_FALSE(same_as_one_by_one(draw_evolving_kaimal(p, layout)));
+  EXPECT_FALSE(same_as_one_by_one(draw_evolving_kaimal(p, layout), KaimalPlanes(neutral_field())));
 }
 
 // The first plane is the frozen field of the same seed, to the last bit, also after a restart; the

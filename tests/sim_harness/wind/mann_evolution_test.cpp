@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "tests/sim_harness/wind/mann_reference.hpp"
+#include "tests/sim_harness/wind/plane_comparison.hpp"
 
 namespace lac::sim {
 namespace {
@@ -39,23 +40,6 @@ MannFieldParams evolving_box() {
   return p;
 }
 
-/// Whether the planes are those that MannPlanes gives, to the last bit, where they were kept.
-bool same_as_one_by_one(const EvolvingGrids& grids) {
-  MannPlanes planes(evolving_box());
-  const VelocityGrid rotor = planes.next(0.0).take_grid();
-  bool same = true;
-  for (int it = 0; it < rotor.spec().nt; ++it)
-    same = same && std::ranges::equal(rotor.plane(it), grids.rotor.plane(it));
-  for (std::size_t i = 0; i < grids.upwind.size(); ++i) {
-    const ThinnedGrid& found = grids.upwind[i];
-    const VelocityGrid whole = planes.next(grids.layout.distance_m(i + 1)).take_grid();
-    const ThinnedGrid expected(whole, found.columns());
-    for (std::size_t c = 0; c < found.columns().count(); ++c)
-      same = same && std::ranges::equal(found.column(c), expected.column(c));
-  }
-  return same;
-}
-
 // All planes at once are those drawn one by one, whole and thinned, on any number of threads; a
 // plane of which nothing is wanted does not change those behind it.
 TEST(MannEvolution, AllAtOnceAsOneByOne) {
@@ -64,15 +48,15 @@ TEST(MannEvolution, AllAtOnceAsOneByOne) {
   MannFieldParams p = evolving_box();
   for (const int threads : {1, 3}) {
     p.threads = threads;
-    EXPECT_TRUE(same_as_one_by_one(draw_evolving_mann(p, layout)));
+    EXPECT_TRUE(same_as_one_by_one(draw_evolving_mann(p, layout), MannPlanes(evolving_box())));
     const EvolvingGrids thinned = draw_evolving_mann(p, layout, &demand);
     EXPECT_EQ(thinned.upwind[0].columns().count(), 4U);
     EXPECT_EQ(thinned.upwind[1].columns().count(), 0U);
     EXPECT_EQ(thinned.upwind[2].columns().count(), 4U);
-    EXPECT_TRUE(same_as_one_by_one(thinned));
+    EXPECT_TRUE(same_as_one_by_one(thinned, MannPlanes(evolving_box())));
   }
   p.seed = 2;
-  EXPECT_FALSE(same_as_one_by_one(draw_evolving_mann(p, layout)));
+  EXPECT_FALSE(same_as_one_by_one(draw_evolving_mann(p, layout), MannPlanes(evolving_box())));
 }
 
 // Planes of a model that does not evolve are refused.
