@@ -10,7 +10,8 @@ namespace lac {
 
 /// Is this array the master's, with the records our libraries share?
 inline bool has_chain_block(const SwapReader& swap) {
-  return swap.holds(kChainBlock) && swap.integer(Rec::ChainVersion, 0) == kChainLayoutVersion;
+  return swap.holds(kChainBlock) && swap.holds(kChainSecondBlock) &&
+         swap.integer(Rec::ChainVersion, 0) == kChainLayoutVersion;
 }
 
 /// For libraries that cannot do without it. Throws lac::Error.

@@ -112,15 +112,16 @@ inline constexpr RecordBlock kSignalBlock{"named signals of secondaries", 3341, 
 inline constexpr RecordBlock kPrivateLogBlock{"logging of secondaries", 3401, 300};
 inline constexpr RecordBlock kPrivateGuoBlock{"lidar of Guo-type secondaries", 3701,
                                               guo_lidar::kFixedSize + guo_lidar::kMaxGates};
+inline constexpr RecordBlock kChainSecondBlock{"chain, second part", 3771, 40};
 
 inline constexpr int kExtendedArraySize = 3300;  // what OpenFAST and our harness pass
-inline constexpr int kPrivateArraySize = 3776;   // what the master passes to its secondaries
+inline constexpr int kPrivateArraySize = 3820;   // what the master passes to its secondaries
 inline constexpr int kExtendedSignature = 1001;  // record 66 of an extended array
 inline constexpr int kChainLayoutVersion = 1;
 
 inline constexpr auto kBlocks = std::to_array<RecordBlock>(
     {kHostBlock, kPlatformBlock, kNativeLidarBlock, kOpenFastLidarBlock, kOpenFastDemandBlock,
-     kChainBlock, kSignalBlock, kPrivateLogBlock, kPrivateGuoBlock});
+     kChainBlock, kSignalBlock, kPrivateLogBlock, kPrivateGuoBlock, kChainSecondBlock});
 
 namespace detail {
 constexpr bool blocks_are_disjoint() {
@@ -141,7 +142,8 @@ constexpr bool records_are_in_a_named_block() {
   for (const RecordInfo& r : kRecords) {
     const bool host = r.index >= kHostBlock.first && r.index <= kHostBlock.last();
     const bool chain = r.index >= kChainBlock.first && r.index <= kChainBlock.last();
-    if (!host && !chain) return false;
+    const bool second = r.index >= kChainSecondBlock.first && r.index <= kChainSecondBlock.last();
+    if (!host && !chain && !second) return false;
   }
   return true;
 }
@@ -150,7 +152,7 @@ constexpr bool records_are_in_a_named_block() {
 static_assert(detail::blocks_are_disjoint(), "two record blocks overlap");
 static_assert(detail::records_rise(), "a record stands twice or out of order");
 static_assert(detail::records_are_in_a_named_block());
-static_assert(kPrivateGuoBlock.last() <= kPrivateArraySize);
+static_assert(kChainSecondBlock.last() <= kPrivateArraySize);
 static_assert(kOpenFastDemandBlock.last() <= kExtendedArraySize);
 
 /// The table entry of a record number, or nullptr.
