@@ -18,7 +18,7 @@ struct GateCentre {
 /// keep the surroundings of and forget the rest.
 struct WindDemand {
   std::vector<GateCentre> gates;
-  std::vector<Vec3> points_I_m;  // every one, with the nacelle at rest
+  std::vector<Vec3> points_I_m;  // every one, without what margin_m covers
   double margin_m = 0.0;         // how far motion may take any of them
 };
 
