@@ -24,6 +24,11 @@ bool is_on(FfpReason reason) {
   return reason == FfpReason::None || reason == FfpReason::RateLimited;
 }
 
+bool is_usable(const Ffp::Inputs& in) {
+  return in.monitor_authority >= 0.0 && in.monitor_authority <= 1.0 &&
+         std::isfinite(in.monitor_trim_s);
+}
+
 }  // namespace
 
 const char* text_of(FfpReason reason) {
@@ -44,6 +49,10 @@ const char* text_of(FfpReason reason) {
       return "the rate is cut to MaximumRate";
     case FfpReason::OutsideCurve:
       return "the wind speed is outside the static pitch curve";
+    case FfpReason::AuthorityReduced:
+      return "the monitor allows a part of it only";
+    case FfpReason::MonitorInvalid:
+      return "the monitor's authority is not within 0 and 1, or its trim not a number";
   }
   return "unknown";
 }
@@ -91,6 +100,7 @@ FfpReason Ffp::update_wind(const Inputs& in, State& s, Outputs& out) const noexc
     schedule(in.mean_speed_mps, s);
     out.cutoff_hz = s.cutoff_hz;
     out.lead_needed_s = s.filter_and_actuator_s + 0.5 * in.window_s - params_.buffer_trim_s;
+    if (params_.use_monitor && is_usable(in)) out.lead_needed_s -= in.monitor_trim_s;
   }
   if (!in.valid || !std::isfinite(in.rews_mps) || !std::isfinite(in.mean_speed_mps)) {
     forget_wind(s);
@@ -151,6 +161,18 @@ void Ffp::fade(FfpReason reason, State& s) const noexcept {
   s.active = std::clamp(s.active + (is_on(reason) ? change : -change), 0.0, 1.0);
 }
 
+FfpReason Ffp::follow_monitor(const Inputs& in, State& s) const noexcept {
+  if (!params_.use_monitor) {
+    s.allowed = 1.0;
+    return FfpReason::None;
+  }
+  const double wanted = is_usable(in) ? in.monitor_authority : 0.0;
+  const double step = time_step_s_ / kLossFade_s;
+  s.allowed += std::clamp(wanted - s.allowed, -step, step);
+  if (!is_usable(in)) return FfpReason::MonitorInvalid;
+  return s.allowed < 1.0 ? FfpReason::AuthorityReduced : FfpReason::None;
+}
+
 Ffp::Outputs Ffp::step(const Inputs& in, State& s) const noexcept {
   Outputs out;
   out.reason = update_wind(in, s, out);
@@ -160,8 +182,11 @@ Ffp::Outputs Ffp::step(const Inputs& in, State& s) const noexcept {
     s.has_previous = false;
   }
   fade(out.reason, s);
+  const FfpReason monitor = follow_monitor(in, s);
+  if (is_on(out.reason) && monitor != FfpReason::None) out.reason = monitor;
   out.active = s.active;
-  out.rate_radps = s.active * s.last_rate_radps;
+  out.allowed = s.allowed;
+  out.rate_radps = s.active * s.last_rate_radps * s.allowed;
   return out;
 }
 

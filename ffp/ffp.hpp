@@ -11,14 +11,16 @@ namespace lac {
 
 /// Why the feedforward is off, or not fully what was computed. Record FeedforwardReason.
 enum class FfpReason {
-  None = 0,            // on
-  NoWind = 1,          // lidar REWS invalid or stale
-  Filling = 2,         // the buffer does not reach back far enough yet
-  LeadTooShort = 3,    // the wind arrives before filter, window and actuator have acted
-  BufferTooLong = 4,   // LongestBuffer is exceeded
-  BelowThreshold = 5,  // wind speed below ThresholdSpeed
-  RateLimited = 6,     // on, but the rate is cut to MaximumRate
-  OutsideCurve = 7,    // wind speed outside the static pitch curve
+  None = 0,              // on
+  NoWind = 1,            // lidar REWS invalid or stale
+  Filling = 2,           // the buffer does not reach back far enough yet
+  LeadTooShort = 3,      // the wind arrives before filter, window and actuator have acted
+  BufferTooLong = 4,     // LongestBuffer is exceeded
+  BelowThreshold = 5,    // wind speed below ThresholdSpeed
+  RateLimited = 6,       // on, but the rate is cut to MaximumRate
+  OutsideCurve = 7,      // wind speed outside the static pitch curve
+  AuthorityReduced = 8,  // on, but the monitor allows a part of it only
+  MonitorInvalid = 9,    // the monitor's records are no share of 0 to 1 and no time: none allowed
 };
 
 const char* text_of(FfpReason reason);
@@ -37,7 +39,9 @@ double actuator_delay_s(double actuator_hz, double damping, double frequency_hz)
 ///   38)
 ///
 /// The rate is faded in and out linearly; whatever makes it go off is in `reason`. After wind was
-/// lost the low-pass starts anew and has to settle before its output is used.
+/// lost the low-pass starts anew and has to settle before its output is used. A monitor may trim
+/// the buffer and allow a share of the rate; the share in use follows what it allows, within half a
+/// second from 0 to 1 at most.
 class Ffp {
  public:
   struct Inputs {
@@ -46,11 +50,14 @@ class Ffp {
     double lead_s = 0.0;
     double window_s = 0.0;
     double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();
+    double monitor_authority = 1.0;  // with UseMonitor only
+    double monitor_trim_s = 0.0;
   };
   struct Outputs {
     double rate_radps = 0.0;
     double pitch_rad = 0.0;  // theta_ss of the buffered wind; 0 while there is none
     double active = 0.0;     // fade, 0 to 1
+    double allowed = 1.0;    // share of the faded rate that is given, 0 to 1
     FfpReason reason = FfpReason::NoWind;
     double filtered_mps = std::numeric_limits<double>::quiet_NaN();
     double buffered_mps = std::numeric_limits<double>::quiet_NaN();
@@ -71,6 +78,7 @@ class Ffp {
     bool has_previous = false;
     bool above_threshold = false;
     double active = 0.0;
+    double allowed = 0.0;          // by the monitor
     double last_rate_radps = 0.0;  // faded out from when the wind is lost
     double last_lead_s = 0.0;
     double running_s = 0.0;  // since the low-pass started
@@ -79,7 +87,7 @@ class Ffp {
       a(low_pass), a(line), a(scheduled_at_mps), a(cutoff_hz), a(filter_factor);
       a(filter_and_actuator_s), a(buffer_time_s), a(buffer_started), a(previous_pitch_rad);
       a(has_previous), a(above_threshold), a(active), a(last_rate_radps), a(last_lead_s);
-      a(running_s), a(lead_short);
+      a(running_s), a(lead_short), a(allowed);
     }
   };
 
@@ -94,6 +102,7 @@ class Ffp {
   FfpReason update_pitch(State& s, Outputs& out) const noexcept;
   void forget_wind(State& s) const noexcept;
   void fade(FfpReason reason, State& s) const noexcept;
+  FfpReason follow_monitor(const Inputs& in, State& s) const noexcept;
 
   FfpParams params_;
   double time_step_s_;

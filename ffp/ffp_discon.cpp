@@ -20,15 +20,18 @@ class FfpModule final : public DisconModule {
     in.lead_s = swap.get(Rec::LidarRewsLead);
     in.window_s = swap.get(Rec::LidarScanWindow);
     in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
+    in.monitor_authority = swap.get(Rec::MonitorAuthority);
+    in.monitor_trim_s = swap.get(Rec::MonitorBufferTrim);
     const Ffp::Outputs out = ffp_.step(in, state_);
     report(in, out, notice);
     write_feedforward(out, swap);
   }
 
-  void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_); }
+  void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_), a(monitor_told_); }
 
  private:
-  /// Passing the threshold and filling the buffer are daily life; the rest is told.
+  /// Passing the threshold, filling the buffer and a monitor that takes authority away (it says so
+  /// itself) are daily life; the rest is told, an invalid monitor once.
   void report(const Ffp::Inputs& in, const Ffp::Outputs& out, Notice& notice) noexcept {
     if (out.reason == last_) return;
     last_ = out.reason;
@@ -40,6 +43,10 @@ class FfpModule final : public DisconModule {
       notice.warn("feedforward off: %s", text_of(out.reason));
     } else if (out.reason == FfpReason::RateLimited) {
       notice.warn("feedforward: %s", text_of(out.reason));
+    } else if (out.reason == FfpReason::MonitorInvalid && !monitor_told_) {
+      notice.warn("feedforward off: %s: %g, %g s", text_of(out.reason), in.monitor_authority,
+                  in.monitor_trim_s);
+      monitor_told_ = true;
     }
     was_on_ = was_on_ || out.reason == FfpReason::None;
   }
@@ -48,6 +55,7 @@ class FfpModule final : public DisconModule {
   Ffp::State state_;
   FfpReason last_ = FfpReason::None;
   bool was_on_ = false;
+  bool monitor_told_ = false;
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ FfpParams FfpParams::read(InputFile& in) {
   p.fade_time_s = in.number("FadeTime", p.fade_time_s, fade_s);
   p.max_rate_radps =
       rad_from_deg(in.number("MaximumRate", deg_from_rad(p.max_rate_radps), positive));
+  p.use_monitor = in.flag("UseMonitor", p.use_monitor);
   in.finish();
   return p;
 }

@@ -31,6 +31,8 @@ struct FfpParams {
   double fade_time_s = 2.0;
   // A demanded rate beyond this is cut, and the reason record says so.
   double max_rate_radps = 0.07;
+  // Take the buffer trim and the share of the rate that a live monitor of lidar and rotor allows.
+  bool use_monitor = false;
 
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static FfpParams read(InputFile& in);

@@ -17,6 +17,7 @@ inline void write_feedforward(const Ffp::Outputs& out, SwapView& swap) {
   swap.set(Rec::FeedforwardBufferTime, out.buffer_time_s);
   swap.set(Rec::FeedforwardCutOff, out.cutoff_hz);
   swap.set(Rec::FeedforwardLeadNeeded, out.lead_needed_s);
+  swap.set(Rec::FeedforwardAuthority, out.active * out.allowed);
 }
 
 }  // namespace lac

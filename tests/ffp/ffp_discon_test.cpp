@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "support/discon_caller.hpp"
+#include "support/temp_folder.hpp"
 
 namespace lac {
 namespace {
@@ -13,6 +15,13 @@ using test::DisconCaller;
 
 std::string shipped() {
   return LAC_SOURCE_DIR "/config/nrel5mw/ffp.IN";
+}
+
+/// The shipped file with one more line, in a folder of its own.
+std::string with_line(const test::TempFolder& folder, const std::string& line) {
+  std::ifstream in(shipped());
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return folder.write("ffp.IN", text + "\n" + line + "\n");
 }
 
 void give_wind(SwapView swap, double rews_mps) {
@@ -47,6 +56,37 @@ TEST(FfpLibrary, LosingTheWindIsToldOnce) {
   EXPECT_EQ(messages, 1);
   EXPECT_NE(caller.swap().get(Rec::FeedforwardReason), 0.0);
   EXPECT_EQ(caller.swap().get(Rec::FeedforwardPitchRate), 0.0);
+}
+
+// The shipped input with UseMonitor: authority and trim come from the monitor's records, a broken
+// monitor is told once, and the share in use is written.
+TEST(FfpLibrary, MonitorRecords) {
+  const test::TempFolder folder;
+  DisconCaller caller("liblac_ffp", with_line(folder, "true ! UseMonitor"));
+  int messages = 0;
+  const auto fly = [&](int from, int to, double authority, double trim_s) {
+    for (int i = from; i < to; ++i) {
+      give_wind(caller.swap(), 18.0);
+      caller.swap().set(Rec::MonitorAuthority, authority);
+      caller.swap().set(Rec::MonitorBufferTrim, trim_s);
+      messages += caller.call(i == 0 ? 0 : 1) > 0 ? 1 : 0;
+    }
+  };
+  fly(0, 1, 1.0, 0.0);
+  const double untrimmed_s = caller.swap().get(Rec::FeedforwardLeadNeeded);
+  fly(1, 3000, 0.25, -0.5);
+  EXPECT_EQ(caller.swap().get(Rec::FeedforwardAuthority), 0.25);
+  EXPECT_EQ(caller.swap().get(Rec::FeedforwardReason), 8.0);
+  EXPECT_NEAR(caller.swap().get(Rec::FeedforwardLeadNeeded), untrimmed_s + 0.5, 1e-6);
+  EXPECT_EQ(messages, 0);
+  for (int i = 0; i < 3; ++i) {
+    fly(1, 100, std::nan(""), 0.0);
+    EXPECT_EQ(caller.swap().get(Rec::FeedforwardReason), 9.0);
+    EXPECT_EQ(caller.swap().get(Rec::FeedforwardAuthority), 0.0);
+    fly(1, 100, 1.0, 0.0);
+    EXPECT_EQ(caller.swap().get(Rec::FeedforwardAuthority), 1.0);
+  }
+  EXPECT_EQ(messages, 1);
 }
 
 }  // namespace

@@ -241,6 +241,68 @@ TEST(Ffp, NewMeanSpeedIsBumpless) {
   EXPECT_LT(worst, 0.0005 * 0.0155);  // 0.15 s over 10 s: 1.5 % of the ramp's own rate
 }
 
+// Half the authority is half the rate; what the monitor takes away leaves without a step.
+TEST(Ffp, MonitorTakesItsShareOfTheRate) {
+  FfpParams p = plain();
+  p.use_monitor = true;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  double last = 0.0;
+  Ffp::Outputs out;
+  int i = 0;
+  const auto fly = [&](int steps, double authority) {
+    for (const int end = i + steps; i < end; ++i) {
+      Ffp::Inputs in = wind(16.0 + 0.02 * i * kStep_s);
+      in.monitor_authority = authority;
+      out = ffp.step(in, s);
+      if (i > 800) {
+        EXPECT_LE(std::abs(out.rate_radps - last), 0.0002 * kStep_s / 0.5 * 1.01);
+      }
+      last = out.rate_radps;
+    }
+  };
+  fly(1600, 1.0);
+  EXPECT_NEAR(out.rate_radps, 0.0002, 1e-9);
+  EXPECT_EQ(out.reason, FfpReason::None);
+  fly(100, 0.5);
+  EXPECT_NEAR(out.rate_radps, 0.0001, 1e-9);
+  EXPECT_EQ(out.reason, FfpReason::AuthorityReduced);
+  EXPECT_EQ(out.active, 1.0);
+  for (const double wrong : {std::nan(""), -0.1, 1.1}) {
+    fly(100, 1.0);
+    EXPECT_NEAR(out.rate_radps, 0.0002, 1e-9);
+    fly(100, wrong);
+    EXPECT_EQ(out.rate_radps, 0.0) << wrong;
+    EXPECT_EQ(out.reason, FfpReason::MonitorInvalid);
+  }
+}
+
+// A trim of the monitor arrives with the lag of the buffer and no faster; without the key no
+// monitor is heard.
+TEST(Ffp, MonitorTrimsTheBufferSlowly) {
+  FfpParams p = plain();
+  p.buffer_time_constant_s = 10.0;
+  for (const bool use : {true, false}) {
+    p.use_monitor = use;
+    const Ffp ffp(p, kStep_s);
+    Ffp::State s = ffp.initial_state();
+    double worst = 0.0;
+    Ffp::Outputs out;
+    for (int i = 0; i < 8000; ++i) {
+      const double t = i * kStep_s;
+      Ffp::Inputs in = wind(16.0 + 0.05 * t);
+      in.monitor_trim_s = t < 30.0 ? 0.0 : 0.5;
+      if (!use) in.monitor_authority = std::nan("");
+      out = ffp.step(in, s);
+      if (t > 20.0) worst = std::max(worst, std::abs(out.rate_radps - 0.0005));
+    }
+    EXPECT_NEAR(out.buffer_time_s, use ? 2.2 : 1.7, 1e-3);
+    EXPECT_NEAR(out.lead_needed_s, use ? 1.8 : 2.3, 1e-12);
+    EXPECT_LT(worst, 0.0005 * 0.0505);  // 0.5 s over 10 s: 5 % of the ramp's own rate
+    EXPECT_EQ(out.reason, FfpReason::None);
+  }
+}
+
 // A saved state continues to the last bit.
 TEST(Ffp, SavedStateContinuesExactly) {
   const Ffp ffp(plain(), kStep_s);
