@@ -80,6 +80,7 @@ CaseOutputs read_outputs(YamlReader& in, const std::string& case_name, double du
   out.csv = map.flag("csv", out.csv);
   out.html = map.flag("html", out.html);
   out.wind = map.flag("wind", out.wind);
+  out.intensity = map.flag("intensity", out.intensity);
   out.wind_window_s = map.number("wind_window_s", out.wind_window_s, Range::positive());
   if (out.wind_window_s > duration_s) {
     map.fail("wind_window_s", "found " + shortest(out.wind_window_s) +

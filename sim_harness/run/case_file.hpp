@@ -43,7 +43,8 @@ struct CaseOutputs {
   bool csv = true;
   bool html = true;
   bool wind = false;             // what the rotor meets, once for all controllers
-  double wind_window_s = 600.0;  // of its turbulence intensity; no longer than the case
+  bool intensity = false;        // with_rotor_intensity() of every flight, and its table
+  double wind_window_s = 600.0;  // of the turbulence intensity; no longer than the case
 };
 
 /// What `lac run` does: one wind, one turbine, several controllers one after the other. The

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "core/error.hpp"
 #include "sim_harness/output/progress.hpp"
 #include "sim_harness/run/flight.hpp"
+#include "sim_harness/run/intensity.hpp"
 #include "sim_harness/run/interruption.hpp"
 #include "sim_harness/run/report.hpp"
 #include "sim_harness/tables/outb_reader.hpp"
@@ -121,8 +123,8 @@ void create_folder(const fs::path& folder) {
   if (problem) throw Error(folder.string() + ": cannot be created: " + problem.message());
 }
 
-std::filesystem::path write_wind_channels(const Case& c, const WindField& wind) {
-  const RotorSignals signals = rotor_signals(wind, rotor_of(c), c.outputs.wind_window_s);
+std::filesystem::path write_wind_channels(const Case& c, const WindField& wind,
+                                          const RotorSignals& signals) {
   const fs::path file = c.outputs.folder / (c.name + ".wind.outb");
   wind_channels(wind, signals, c.turbine.hub_height_m).write(file, describe(c.wind));
   return file;
@@ -153,19 +155,26 @@ CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
       << wind.note << repetition(c, *wind.field) << std::flush;
 
   const Interruption interruption;
+  std::optional<RotorSignals> rotor;
+  if (c.outputs.wind || c.outputs.intensity)
+    rotor = rotor_signals(*wind.field, rotor_of(c), c.outputs.wind_window_s);
   CaseResult result;
   std::vector<std::string> names;
   for (const CaseController& controller : c.controllers) {
     result.flights.push_back(
         fly_with_progress(c, controller, *wind.field, wind.rotor, interruption));
     interruption.check();
-    write_recording(c, result.flights.back(), result.files);
-    result.figures.push_back(flight_figures(result.flights.back().recording, c.time.run_in_s));
+    FlownController& flown = result.flights.back();
+    if (c.outputs.intensity) flown.recording = with_rotor_intensity(flown, *rotor);
+    write_recording(c, flown, result.files);
+    result.figures.push_back(flight_figures(flown.recording, c.time.run_in_s));
     names.push_back(controller.name);
   }
-  if (c.outputs.wind) result.files.push_back(write_wind_channels(c, *wind.field));
+  if (c.outputs.wind) result.files.push_back(write_wind_channels(c, *wind.field, *rotor));
   const std::vector<ReportResult> rows = result_rows(result.figures);
   out << '\n' << result_table(names, rows) << '\n';
+  if (c.outputs.intensity)
+    out << intensity_table(result.flights, c.time.run_in_s, c.outputs.wind_window_s) << '\n';
   if (c.outputs.html) {
     result.files.push_back(c.outputs.folder / (c.name + ".html"));
     write_html_report(result.files.back(), make_report(c, result.flights, rows));

@@ -61,6 +61,16 @@ TEST_F(RunCaseTest, WindChannels) {
   EXPECT_NEAR(wind.column("RtTI")[124], std::sqrt(50.0 / 49.0) / 13.0, 1e-4);
 }
 
+// The rotor's turbulence intensity beside every flight, and a table, when it is asked for.
+TEST_F(RunCaseTest, RotorIntensity) {
+  const CaseResult result = run({"outputs.intensity=yes", "outputs.wind_window_s=5",
+                                 "wind={kind: step, from_mps: 12, to_mps: 14, time_s: 10}"});
+  EXPECT_EQ(result.files.size(), 5U);
+  EXPECT_THAT(out_.str(), HasSubstr("standard deviations over 5 s"));
+  const Recording flight = read_outb(files_.folder.path() / "results/second.outb");
+  EXPECT_NEAR(flight.column("RtTI")[992], std::sqrt(50.0 / 49.0) / 13.0, 1e-4);  // 12.4 s
+}
+
 // The same case twice gives the same files, to the last byte: turbulence and lidar on.
 TEST_F(RunCaseTest, Deterministic) {
   const std::vector<std::string> overrides{
