@@ -90,6 +90,17 @@ CaseOutputs read_outputs(YamlReader& in, const std::string& case_name, double du
   return out;
 }
 
+NacelleAnemometerParams read_anemometer(YamlReader in) {
+  NacelleAnemometerParams p;
+  const Range share = Range::between(0.0, 1.0);
+  p.induction_share = in.number("induction_share", p.induction_share, share);
+  p.induction_lag_s = in.number("induction_lag_s", p.induction_lag_s, Range::positive());
+  p.added_intensity = in.number("added_intensity", p.added_intensity, share);
+  p.time_scale_s = in.number("time_scale_s", p.time_scale_s, Range::positive());
+  in.finish();
+  return p;
+}
+
 /// What a lidar needs of no field in particular: all of it but the field's borders.
 void check_lidar(const YamlReader& in, const Case& c) {
   if (!c.lidar) return;
@@ -153,6 +164,7 @@ Case load_case(const fs::path& file, const std::vector<std::string>& overrides) 
   c.time = read_time(in.map("time"));
   if (in.has("lidar")) c.lidar = read_case_lidar(in.map("lidar"));
   check_lidar(in, c);
+  if (in.has("anemometer")) c.anemometer = read_anemometer(in.map("anemometer"));
   YamlReader wind = in.map("wind");
   c.wind =
       read_wind(wind, {c.turbine.hub_height_m, c.turbine.rotor.radius_m, seed, lidar_demand(c)});

@@ -11,6 +11,7 @@
 #include "sim_harness/lidar/lidar_params.hpp"
 #include "sim_harness/lidar/lidar_weaknesses.hpp"
 #include "sim_harness/run/wind_case.hpp"
+#include "sim_harness/turbine/nacelle_anemometer.hpp"
 #include "sim_harness/turbine/turbine_params.hpp"
 
 namespace lac::sim {
@@ -54,6 +55,7 @@ struct Case {
   std::string name;
   TurbineParams turbine;
   std::optional<CaseLidar> lidar = {};
+  NacelleAnemometerParams anemometer = {};
   WindCase wind = {};
   std::vector<CaseController> controllers = {};
   CaseTime time = {};

@@ -110,6 +110,7 @@ Recording fly(const Case& c, const CaseController& controller, const WindField& 
   SimulatedTurbine turbine(c.turbine);
   turbine.start(start);
   LidarOnBoard lidar(c, wind);
+  NacelleAnemometer anemometer(c.anemometer, c.seed, dt_s);
   ControllerHost host(host_setup(c, controller, start, wind.mean_speed_mps(), output_root),
                       report.on_warning);
   Recording recording(flight_channels(), 0.0, dt_s, static_cast<std::size_t>(steps) + 1);
@@ -120,9 +121,11 @@ Recording fly(const Case& c, const CaseController& controller, const WindField& 
     const double time_s = static_cast<double>(n) * dt_s;
     const SlowOutputs now = turbine.outputs();
     const double hub_wind_mps = hub_wind_at(wind, c.turbine.hub_height_m, time_s);
-    lidar.sense(n, turbine_state(now, c.turbine, rews_mps, azimuth_rad), host);
+    const TurbineState state = turbine_state(now, c.turbine, rews_mps, azimuth_rad);
+    lidar.sense(n, state, host);
 
-    const HostDemands demands = host.call(measured(now, c.turbine, hub_wind_mps, azimuth_rad));
+    const double nacelle_wind_mps = anemometer.measure(hub_wind_mps, state.thrust_coefficient);
+    const HostDemands demands = host.call(measured(now, c.turbine, nacelle_wind_mps, azimuth_rad));
     record(now, demands, rews_mps, hub_wind_mps, recording);
     report.on_progress(static_cast<double>(n) / static_cast<double>(steps));
     if (n == steps) break;
