@@ -2,9 +2,11 @@
 // The cases in config/, flown by the libraries of this build.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
+#include "core/input_file.hpp"
 #include "sim_harness/run/run_case.hpp"
 #include "support/temp_folder.hpp"
 
@@ -50,6 +52,26 @@ TEST(ShippedCasesTest, SteadyState) {
   std::istringstream values(last);
   for (int i = 0; i < 6; ++i) std::getline(values, line, ',');
   EXPECT_NEAR(std::stod(line), 14.92, 0.7);
+}
+
+// IEA 3.4 MW in steady wind of 14 m/s: rated speed and power of FBv1, and the pitch that the static
+// curve of its feedforward has there.
+TEST(ShippedCasesTest, SteadyStateOfIea3p4mw) {
+  const test::TempFolder results;
+  std::ostringstream out;
+  const CaseResult r =
+      run_case(shipped("steady.yaml", results,
+                       {"turbine=turbines/iea3p4mw/turbine.yaml", "wind.speed_mps=14",
+                        "controllers.0.input=iea3p4mw/wrapper_fb.IN"}),
+               out);
+  EXPECT_NEAR(r.figures[0].rotor_speed_max_rpm, 11.753, 1e-3);
+  EXPECT_NEAR(r.figures[0].power_mean_kW, 3369.24, 0.1);
+  InputFile ffp = InputFile::load(LAC_SOURCE_DIR "/config/iea3p4mw/ffp.IN");
+  const std::vector<double> wind_mps = ffp.numbers("StaticWind");
+  const auto at = std::ranges::find(wind_mps, 14.0);
+  ASSERT_NE(at, wind_mps.end());
+  const double curve_deg = ffp.numbers("StaticPitch").at(at - wind_mps.begin());
+  EXPECT_NEAR(r.flights[0].recording.column("BldPitch1").back(), curve_deg, 0.01);
 }
 
 }  // namespace
