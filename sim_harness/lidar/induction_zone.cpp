@@ -1,53 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/lidar/induction_zone.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "core/units.hpp"
-#include "sim_harness/lidar/elliptic_integral.hpp"
 
 namespace lac::sim {
 namespace {
 
 constexpr double kInflowTimeFactor = 1.1;  // Oye's slow time constant is 1.1 R/U at light loading
-constexpr double kRimDistance = 1e-9;  // of r from R, and of kc from 0: nearer counts as this near
 constexpr double kLargestThrust = 16.0 / 9.0;  // a = 1
-constexpr double kHeavyFactor = 1.0 / 3.0;
-constexpr double kHeavyThrust = 8.0 / 9.0;
-constexpr double kHeavySlope = 3.0 / 4.0;
-
-/// Without the care for overflow that makes std::hypot slow.
-double length(double a, double b) noexcept {
-  return std::sqrt(a * a + b * b);
-}
 
 }  // namespace
-
-double induction_factor(double thrust_coefficient) noexcept {
-  if (thrust_coefficient > kHeavyThrust) {
-    return kHeavyFactor + kHeavySlope * (thrust_coefficient - kHeavyThrust);
-  }
-  return 0.5 * (1.0 - std::sqrt(1.0 - thrust_coefficient));
-}
-
-UnitInduction one_dimensional_induction(double x_m, double rotor_radius_m) noexcept {
-  return {1.0 + x_m / length(x_m, rotor_radius_m), 0.0};
-}
-
-UnitInduction vortex_cylinder_induction(double x_m, double r_m, double rotor_radius_m) noexcept {
-  const double sum_m = rotor_radius_m + r_m;
-  const double far_m = length(x_m, sum_m);
-  const double kc = std::max(length(x_m, rotor_radius_m - r_m) / far_m, kRimDistance);
-  const double inside = r_m <= rotor_radius_m ? 1.0 : 0.0;
-  const double gamma =
-      (2.0 * inside - 1.0) * std::max(std::abs(rotor_radius_m - r_m) / sum_m, kRimDistance);
-  const double scale = 2.0 / kPi * rotor_radius_m;
-  const double axial =
-      scale / sum_m * x_m / far_m * complete_elliptic_integral(kc, gamma * gamma, 1.0, gamma);
-  const double radial = -scale / far_m * complete_elliptic_integral(kc, 1.0, 1.0, -1.0);
-  return {inside + axial, radial};
-}
 
 InductionParams read_induction(YamlReader& in) {
   InductionParams p;
@@ -77,21 +39,21 @@ InductionZone::InductionZone(const InductionParams& params, double rotor_radius_
                            ? params.time_constant_s
                            : kInflowTimeFactor * rotor_radius_m / mean_speed_mps),
       thrust_coefficient_(params.thrust_coefficient),
-      factor_(sim::induction_factor(params.thrust_coefficient)) {}
+      factor_(lac::induction_factor(params.thrust_coefficient)) {}
 
 void InductionZone::advance(double thrust_coefficient, double step_s) noexcept {
   if (!active() || !params_.follows_thrust) return;
   const double share = started_ ? -std::expm1(-step_s / time_constant_s_) : 1.0;
   started_ = true;
   thrust_coefficient_ += share * (thrust_coefficient - thrust_coefficient_);
-  factor_ = sim::induction_factor(thrust_coefficient_);
+  factor_ = lac::induction_factor(thrust_coefficient_);
 }
 
 Vec3 InductionZone::disturbed(const Vec3& free_mps,
                               const Vec3& from_rotor_centre_I_m) const noexcept {
   if (!active()) return free_mps;
   const Vec3& p = from_rotor_centre_I_m;
-  const double r_m = length(p.y, p.z);
+  const double r_m = std::sqrt(p.y * p.y + p.z * p.z);
   const UnitInduction unit = params_.model == InductionModel::kOneDimensional
                                  ? one_dimensional_induction(p.x, radius_m_)
                                  : vortex_cylinder_induction(p.x, r_m, radius_m_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace lac::sim {
+namespace lac {
 
 /// Bulirsch's general complete elliptic integral (Numerische Mathematik 13, 1969),
 ///
@@ -13,4 +13,4 @@ namespace lac::sim {
 /// Pi(n | m) = cel(kc, 1 - n, 1, 1). Precondition: kc > 0, p > 0.
 double complete_elliptic_integral(double kc, double p, double a, double b) noexcept;
 
-}  // namespace lac::sim
+}  // namespace lac

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_harness/lidar/elliptic_integral.hpp"
+#include "core/elliptic_integral.hpp"
 
 #include <cmath>
 
 #include "core/units.hpp"
 
-namespace lac::sim {
+namespace lac {
 namespace {
 
 constexpr double kTolerance = 1e-8;  // of the means; the error of the result is its square
@@ -33,4 +33,4 @@ double complete_elliptic_integral(double kc, double p, double a, double b) noexc
   return 0.5 * kPi * (numerator + a * arithmetic) / (arithmetic * (arithmetic + root_p));
 }
 
-}  // namespace lac::sim
+}  // namespace lac

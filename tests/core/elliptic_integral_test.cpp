@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_harness/lidar/elliptic_integral.hpp"
+#include "core/elliptic_integral.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 
-namespace lac::sim {
+namespace lac {
 namespace {
 
 constexpr double kRounding = 1e-14;
@@ -37,4 +37,4 @@ TEST(EllipticIntegral, GeneralCoefficients) {
 }
 
 }  // namespace
-}  // namespace lac::sim
+}  // namespace lac
