@@ -32,6 +32,12 @@ void read_cnr_limits(InputFile& in, LidarReaderParams& p) {
   if (p.min_cnr_db >= p.max_cnr_db) in.fail("MaximumCnr", "expected more than MinimumCnr");
 }
 
+void read_range_limits(InputFile& in, LidarReaderParams& p) {
+  if (in.has("MinimumRange")) p.min_range_m = in.number("MinimumRange", Range::not_negative());
+  if (in.has("MaximumRange")) p.max_range_m = in.number("MaximumRange", Range::positive());
+  if (p.min_range_m >= p.max_range_m) in.fail("MaximumRange", "expected more than MinimumRange");
+}
+
 }  // namespace
 
 LidarReaderParams LidarReaderParams::read(InputFile& in) {
@@ -42,6 +48,7 @@ LidarReaderParams LidarReaderParams::read(InputFile& in) {
   p.min_speed_mps = in.number("MinimumSpeed", p.min_speed_mps, Range::between(-90.0, 0.0));
   p.max_speed_mps = in.number("MaximumSpeed", p.max_speed_mps, Range::between(1.0, 120.0));
   read_cnr_limits(in, p);
+  read_range_limits(in, p);
   p.stuck_scans = in.integer("StuckScans", p.stuck_scans, Range::not_negative());
   if (openfast) p.openfast = OpenFastLidarParams::read(in);
   if (p.layout == LidarLayout::Guo) p.guo = GuoLidarParams::read(in, p.number_of_beams);
@@ -106,7 +113,8 @@ void LidarReader::judge_samples(LidarMeasurement& m) const noexcept {
     gate.valid = gate.valid && geometry_good && std::isfinite(v) && v > kErrorValueBelow &&
                  v != kErrorValue && v >= params_.min_speed_mps && v <= params_.max_speed_mps &&
                  std::isfinite(gate.range_m) && gate.range_m > 0.0 &&
-                 gate.cnr_db >= params_.min_cnr_db && gate.cnr_db <= params_.max_cnr_db;
+                 params_.in_range(gate.range_m) && gate.cnr_db >= params_.min_cnr_db &&
+                 gate.cnr_db <= params_.max_cnr_db;
   }
 }
 

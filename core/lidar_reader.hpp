@@ -22,6 +22,9 @@ struct LidarReaderParams {
   // above, something hard. Native layout alone carries it.
   double min_cnr_db = -std::numeric_limits<double>::infinity();
   double max_cnr_db = std::numeric_limits<double>::infinity();
+  // Distance from the lidar along the beam outside of which a sample is invalid.
+  double min_range_m = 0.0;
+  double max_range_m = std::numeric_limits<double>::infinity();
   // A beam that repeats itself this often, to the last bit, while record 27 (nacelle anemometer)
   // moved by more than stuck_wind_change_mps since its last fresh value, is stuck until it gives a
   // fresh one. 0: no check.
@@ -32,16 +35,18 @@ struct LidarReaderParams {
   OpenFastLidarParams openfast;
 
   /// Keys LidarLayout, NumberOfBeams (not for OpenFAST's block), MinimumSpeed, MaximumSpeed,
-  /// MinimumCnr, MaximumCnr (native alone), StuckScans, and those of the layout.
+  /// MinimumCnr, MaximumCnr (native alone), MinimumRange, MaximumRange, StuckScans, and those of
+  /// the layout.
   static LidarReaderParams read(InputFile& in);
   /// ScanTime [s], which the measurement interval of OpenFAST's block stands in for if missing.
   double read_scan_time(InputFile& in, Range range) const;
+  bool in_range(double range_m) const { return range_m >= min_range_m && range_m <= max_range_m; }
 };
 
 /// Takes new measurements out of the array and says which samples may be used. A sample is valid
 /// if its flag says so, it is finite, plausible, none of the error values of the field (-99 and
-/// below -90, 999), its carrier-to-noise ratio is within limits, it is not from the future
-/// (kFuture_s) and its beam is not stuck. Every other value leaves it marked invalid.
+/// below -90, 999), its carrier-to-noise ratio and its range are within limits, it is not from the
+/// future (kFuture_s) and its beam is not stuck. Every other value leaves it marked invalid.
 class LidarReader {
  public:
   /// How far the time stamp of a measurement may be ahead of the call that brings it: clocks and

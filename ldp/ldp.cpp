@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lac {
 namespace {
@@ -11,10 +12,27 @@ constexpr double kSlowestTravel_mps = 1.0;  // below it a lead time means nothin
 // A gate nearer than those in use is taken only with this factor on the required lead, so that the
 // nearest gate does not change to and fro with the mean wind speed.
 constexpr double kNearerGate = 1.05;
-constexpr double kSameGate_m = 2.0;  // the tower top moves
+constexpr double kSameGate_m = 2.0;      // the tower top moves
+constexpr double kLeastInduction = 0.2;  // less of the wind left by the model: no sample
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::int64_t round_to_step(double time_s, double time_step_s) {
   return std::llround(time_s / time_step_s);
+}
+
+std::size_t place(const LidarMeasurement& m, std::size_t gate) {
+  return static_cast<std::size_t>(m.beam_id) * native_lidar::kMaxGates + gate;
+}
+
+double mean_of(std::span<const double> values) {
+  double sum = 0.0;
+  int count = 0;
+  for (const double v : values) {
+    if (std::isnan(v)) continue;
+    sum += v;
+    ++count;
+  }
+  return count > 0 ? sum / count : kNone;
 }
 
 }  // namespace
@@ -22,7 +40,12 @@ std::int64_t round_to_step(double time_s, double time_step_s) {
 Ldp::Ldp(LdpParams params, double time_step_s)
     : params_(std::move(params)),
       time_step_s_(time_step_s),
-      window_steps_(std::max<std::int64_t>(1, round_to_step(params_.scan_time_s, time_step_s))) {}
+      window_steps_(std::max<std::int64_t>(1, round_to_step(params_.scan_time_s, time_step_s))),
+      share_s_(params_.scan_time_s / params_.reader.number_of_beams),
+      expected_{params_.reader.number_of_beams, params_.scan_time_s, params_.availability_window_s},
+      reconstruction_(params_.wind),
+      induction_(params_.induction),
+      spikes_(params_.spikes) {}
 
 Ldp::State Ldp::initial_state() const {
   State s;
@@ -30,7 +53,10 @@ Ldp::State Ldp::initial_state() const {
                        static_cast<std::size_t>(window_steps_) + 2);
   const auto beams = static_cast<std::size_t>(params_.reader.number_of_beams);
   s.nearest_of_beam_m.assign(beams, 0.0);
-  s.last_of_beam_s.assign(beams, std::numeric_limits<double>::quiet_NaN());
+  s.last_of_beam_s.assign(beams, kNone);
+  s.wind = reconstruction_.initial_state();
+  s.induction = induction_.initial_state(beams * native_lidar::kMaxGates);
+  s.spikes = spikes_.initial_state();
   return s;
 }
 
@@ -39,35 +65,77 @@ Ldp::Projection Ldp::projection(const LidarMeasurement& m) const noexcept {
                        ? m.beam_dir_I()
                        : Vec3{-m.beam_dir_L.x, -m.beam_dir_L.y, m.beam_dir_L.z};
   const double own_mps = params_.motion_compensation ? dot(n_I, m.velocity_I_mps) : 0.0;
-  return {n_I.x, own_mps, 1.0 / -n_I.x};
+  return {n_I, own_mps, 1.0 / -n_I.x};
 }
 
-void Ldp::update_mean_speed(const LidarMeasurement& m, const Projection& p,
+void Ldp::update_mean_speed(const LidarMeasurement& m, const Winds& wind_mps,
                             State& state) const noexcept {
-  double sum = 0.0;
-  int count = 0;
-  for (int g = 0; g < m.gate_count; ++g) {
-    const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
-    if (!gate.valid) continue;
-    sum += p.longitudinal_mps(gate.speed_mps);
-    ++count;
-  }
-  if (count == 0) return;
+  const double mean_mps = mean_of({wind_mps.data(), static_cast<std::size_t>(m.gate_count)});
+  if (std::isnan(mean_mps)) return;
   const double since_s =
       state.mean_speed.started()
           ? std::clamp(m.time_s - state.last_measurement_s, time_step_s_, params_.scan_time_s)
           : time_step_s_;
-  state.mean_speed.add(sum / count, since_s, params_.mean_speed_window_s);
+  state.mean_speed.add(mean_mps, since_s, params_.mean_speed_window_s);
   state.last_measurement_s = m.time_s;
+  if (induction_.active()) induction_.add(mean_mps, share_s_, state.induction);
+}
+
+void Ldp::project(const LidarMeasurement& m, const Projection& p, Winds& wind_mps,
+                  State& state) const noexcept {
+  const auto gates = static_cast<std::size_t>(m.gate_count);
+  int expected = 0, usable = 0;
+  for (std::size_t g = 0; g < gates; ++g) {
+    const LidarGate& gate = m.gates[g];
+    wind_mps[g] = gate.valid ? p.longitudinal_mps(gate.speed_mps) : kNone;
+    if (params_.reader.in_range(gate.range_m)) ++expected;
+    if (gate.valid) ++usable;
+  }
+  if (spikes_.active()) usable -= spikes_.clean({wind_mps.data(), gates}, state.spikes);
+  if (expected > 0) state.availability.count(static_cast<double>(usable) / expected);
+}
+
+void Ldp::correct(const LidarMeasurement& m, const Projection& p, Winds& wind_mps,
+                  State& state) const noexcept {
+  const auto gates = static_cast<std::size_t>(m.gate_count);
+  if (induction_.active()) induction_.start(mean_of({wind_mps.data(), gates}), state.induction);
+  const double hub_m =
+      reconstruction_.active() ? params_.wind.hub_height_m : params_.induction.hub_height_m;
+  const std::vector<double>& weights = params_.wind.gate_weights;
+  WindReconstruction::Sums sums;
+  for (std::size_t g = 0; g < gates; ++g) {
+    if (std::isnan(wind_mps[g])) continue;
+    WindReconstruction::Sample s;
+    s.beam_dir_I = p.beam_dir_I;
+    s.from_hub_I_m = m.position_I_m + m.gates[g].range_m * p.beam_dir_I - Vec3{0.0, 0.0, hub_m};
+    s.los_mps = m.gates[g].speed_mps - p.own_motion_mps;
+    wind_mps[g] = kNone;
+    if (!std::isfinite(dot(s.from_hub_I_m, s.from_hub_I_m))) continue;
+    if (induction_.active()) {
+      s.induction =
+          induction_.remaining(place(m, g), p.beam_dir_I, s.from_hub_I_m, state.induction);
+    }
+    if (!(s.induction > kLeastInduction)) continue;
+    if (!weights.empty()) s.weight = g < weights.size() ? weights[g] : 0.0;
+    if (reconstruction_.active()) reconstruction_.add(s, sums);
+    wind_mps[g] = WindReconstruction::axial_mps(s, state.wind.estimate);
+  }
+  if (!reconstruction_.active()) return;
+  const double heading_rad =
+      params_.motion_compensation ? std::remainder(m.yaw_rad - kPi, 2.0 * kPi) : 0.0;
+  reconstruction_.add(sums, {m.time_s, share_s_, params_.scan_time_s, heading_rad}, state.wind);
 }
 
 void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   const LidarMeasurement& m = *in.measurement;
   const Projection p = projection(m);
-  update_mean_speed(m, p, state);
+  Winds wind_mps;
+  project(m, p, wind_mps, state);
+  if (reconstruction_.active() || induction_.active()) correct(m, p, wind_mps, state);
+  update_mean_speed(m, wind_mps, state);
   if (!state.mean_speed.started()) return;
-  const double travel_mps = state.mean_speed.mean();
-  if (travel_mps < kSlowestTravel_mps) return;
+  const double travel = travel_mps(in.time_s, state);
+  if (travel < kSlowestTravel_mps) return;
 
   note_scan(m, state);
   const auto late = round_to_step(in.time_s - m.time_s, time_step_s_);
@@ -75,17 +143,15 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   const double allowed_m = nearest_allowed_m(in, state);
   const double for_nearer = settled(state) ? kNearerGate : 1.0;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (int g = 0; g < m.gate_count; ++g) {
-    const LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
-    const double ahead_m = -(m.position_I_m.x + gate.range_m * p.beam_x_I);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(m.gate_count); ++g) {
+    const double ahead_m = induction_.travel_m(
+        -(m.position_I_m.x + m.gates[g].range_m * p.beam_dir_I.x), state.induction);
     const bool in_use = ahead_m > state.nearest_gate_m - kSameGate_m;
     if (!(ahead_m > 0.0) || ahead_m < (in_use ? 1.0 : for_nearer) * allowed_m) continue;
     nearest_m = std::min(nearest_m, ahead_m);
-    if (!gate.valid) continue;
-    const auto arrival = round_to_step(m.time_s + ahead_m / travel_mps, time_step_s_);
-    if (state.bins.add(arrival, p.longitudinal_mps(gate.speed_mps))) {
-      state.last_sample_s = in.time_s;
-    }
+    if (std::isnan(wind_mps[g])) continue;
+    const auto arrival = round_to_step(m.time_s + ahead_m / travel, time_step_s_);
+    if (state.bins.add(arrival, wind_mps[g])) state.last_sample_s = in.time_s;
   }
   if (!std::isfinite(nearest_m)) return;
   state.nearest_of_beam_m[static_cast<std::size_t>(m.beam_id)] = nearest_m;
@@ -95,7 +161,7 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
 double Ldp::nearest_allowed_m(const Inputs& in, const State& state) const noexcept {
   const double needed_s = in.lead_needed_s > 0.0 ? in.lead_needed_s + params_.lead_margin_s : 0.0;
   const double lead_s = std::max(params_.required_lead_s, needed_s);
-  return (lead_s + state.latency_s) * state.mean_speed.mean();
+  return (lead_s + state.latency_s) * travel_mps(in.time_s, state);
 }
 
 void Ldp::note_scan(const LidarMeasurement& m, State& state) const noexcept {
@@ -111,26 +177,79 @@ bool Ldp::settled(const State& state) const noexcept {
          std::min(params_.settling_time_s, params_.mean_speed_window_s);
 }
 
-Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
-  const std::int64_t now = round_to_step(in.time_s, time_step_s_);
-  state.bins.advance(now);
-  if (in.measurement != nullptr) take_in(in, state);
+void Ldp::note_turbine(const Inputs& in, State& state) const noexcept {
+  if (params_.travel != TravelSpeed::Turbine || !std::isfinite(in.turbine_rews_mps)) return;
+  state.turbine_speed.add(in.turbine_rews_mps, time_step_s_, params_.mean_speed_window_s);
+  state.turbine_seen_s = in.time_s;
+}
 
-  Outputs out;
+bool Ldp::turbine_sets_travel(double time_s, const State& state) const noexcept {
+  return params_.travel == TravelSpeed::Turbine &&
+         state.turbine_speed.elapsed_s() >= params_.settling_time_s &&
+         time_s - state.turbine_seen_s <= params_.mean_speed_window_s;
+}
+
+double Ldp::travel_mps(double time_s, const State& state) const noexcept {
+  return turbine_sets_travel(time_s, state) ? state.turbine_speed.mean() : state.mean_speed.mean();
+}
+
+void Ldp::estimate(const Inputs& in, State& state, Outputs& out) const noexcept {
   out.data_age_s = in.time_s - state.last_sample_s;
   out.scan_time_s = state.scan_time_s;
-  if (!state.mean_speed.started()) return out;
+  if (!state.mean_speed.started()) return;
   out.mean_speed_mps = state.mean_speed.mean();
-  if (state.nearest_gate_m <= 0.0 || out.mean_speed_mps < kSlowestTravel_mps) return out;
-  out.lead_s = state.nearest_gate_m / out.mean_speed_mps - state.latency_s;
-  if (out.lead_s <= 0.0 || out.lead_s > params_.longest_lead_s) return out;
+  const double travel = travel_mps(in.time_s, state);
+  if (state.nearest_gate_m <= 0.0 || travel < kSlowestTravel_mps) return;
+  out.lead_s = state.nearest_gate_m / travel - state.latency_s;
+  if (out.lead_s <= 0.0 || out.lead_s > params_.longest_lead_s) return;
 
-  const std::int64_t front = now + round_to_step(out.lead_s, time_step_s_);
+  const std::int64_t front =
+      round_to_step(in.time_s, time_step_s_) + round_to_step(out.lead_s, time_step_s_);
   state.bins.set_window(front - window_steps_ + 1, front);
   out.samples = state.bins.count();
   if (out.samples > 0) out.rews_mps = state.bins.mean_mps();
   out.valid = out.samples >= params_.minimum_samples && out.data_age_s <= params_.maximum_age_s &&
               settled(state);
+}
+
+void Ldp::describe_wind(const Inputs& in, State& state, Outputs& out) const noexcept {
+  reconstruction_.watch(in.time_s, params_.scan_time_s, state.wind);
+  out.wind = state.wind.estimate;
+  if (std::isfinite(out.wind.v_mps)) {
+    out.yaw_error_rad = WindReconstruction::yaw_error_rad(state.wind);
+  }
+  if (std::isfinite(out.wind.w_mps)) {
+    out.inflow_angle_rad = WindReconstruction::inflow_angle_rad(out.wind);
+  }
+}
+
+void Ldp::bridge(const Inputs& in, State& state, Outputs& out) const noexcept {
+  if (out.valid) {
+    state.held_rews_mps = out.rews_mps;
+    state.held_since_s = in.time_s;
+    return;
+  }
+  if (in.time_s - state.held_since_s > params_.bridged_gap_s || !(out.lead_s > 0.0)) return;
+  out.rews_mps = state.held_rews_mps;
+  out.valid = out.bridged = true;
+}
+
+Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
+  state.bins.advance(round_to_step(in.time_s, time_step_s_));
+  state.availability.advance(in.time_s, expected_);
+  note_turbine(in, state);
+  if (in.measurement != nullptr) take_in(in, state);
+
+  Outputs out;
+  estimate(in, state, out);
+  if (params_.bridged_gap_s > 0.0) bridge(in, state, out);
+  out.availability = state.availability.value();
+  out.turbine_sets_travel = turbine_sets_travel(in.time_s, state);
+  if (!reconstruction_.active()) return out;
+  describe_wind(in, state, out);
+  const bool refused =
+      out.wind.reason == WindReason::Partly || out.wind.reason == WindReason::Refused;
+  if (refused && !params_.wind.average_if_refused) out.valid = out.bridged = false;
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "core/discon_module.hpp"
 #include "ldp/guo_ldp_discon.hpp"
 #include "ldp/ldp_records.hpp"
+#include "ldp/ldp_reports.hpp"
 
 namespace lac {
 namespace {
@@ -12,6 +13,7 @@ class LdpModule final : public DisconModule {
  public:
   LdpModule(const LdpParams& params, double time_step_s)
       : scan_time_s_(params.scan_time_s),
+        reports_(params),
         reader_(params.reader),
         ldp_(params, time_step_s),
         state_(ldp_.initial_state()),
@@ -23,50 +25,25 @@ class LdpModule final : public DisconModule {
     Ldp::Inputs in;
     in.time_s = time_s;
     in.lead_needed_s = swap.get(Rec::FeedforwardLeadNeeded);  // written in the step before
+    if (swap.get(Rec::TurbineRewsValid) == 1.0) in.turbine_rews_mps = swap.get(Rec::TurbineRews);
     if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
       in.measurement = &measurement_;
     }
     const Ldp::Outputs out = ldp_.step(in, state_);
-    report(out, time_s, notice);
+    reports_.report(out, time_s, notice);
     write_lidar_rews(out, scan_time_s_, swap);
   }
 
-  void visit_state(StateArchive& a) override {
-    a(state_), a(reader_state_), a(was_valid_), a(silence_reported_), a(scan_reported_);
-  }
+  void visit_state(StateArchive& a) override { a(state_), a(reader_state_), a(reports_); }
 
  private:
-  /// From the start of the run; the farthest gate's wind has long arrived by then.
-  static constexpr double kLongSilence_s = 60.0;
-
-  void report(const Ldp::Outputs& out, double time_s, Notice& notice) noexcept {
-    if (was_valid_ && !out.valid) {
-      notice.warn(
-          "no valid lidar wind speed: %d samples in the scan window, the last one %.1f s ago",
-          out.samples, out.data_age_s);
-    }
-    if (!silence_reported_ && !out.valid && time_s >= kLongSilence_s) {
-      notice.warn("no valid lidar wind speed since the start, %.0f s ago", time_s);
-    }
-    silence_reported_ = silence_reported_ || out.valid || time_s >= kLongSilence_s;
-    was_valid_ = out.valid;
-    if (!out.valid || scan_reported_ || out.scan_time_s <= 1.1 * scan_time_s_) return;
-    notice.warn(
-        "the lidar comes back to a beam after %.3g s, ScanTime says %.3g s: its average misses "
-        "beams",
-        out.scan_time_s, scan_time_s_);
-    scan_reported_ = true;
-  }
-
   double scan_time_s_;
+  LdpReports reports_;
   LidarReader reader_;
   Ldp ldp_;
   Ldp::State state_;
   LidarReader::State reader_state_;
   LidarMeasurement measurement_;
-  bool was_valid_ = false;
-  bool silence_reported_ = false;  // or there was none
-  bool scan_reported_ = false;
 };
 
 }  // namespace

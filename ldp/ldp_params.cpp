@@ -19,6 +19,11 @@ LdpParams LdpParams::read(InputFile& in) {
       in.integer("MinimumSamples", p.reader.number_of_beams, Range::between(1.0, 1.0e6));
   p.maximum_age_s = in.number("MaximumAge", 2.0 * p.scan_time_s, Range::positive());
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
+  p.wind = WindModelParams::read(in, p.reader.layout != LidarLayout::OpenFast);
+  p.induction = InductionCorrectionParams::read(in);
+  p.spikes = SpikeFilterParams::read(in);
+  p.travel = static_cast<TravelSpeed>(in.choice("TravelSpeed", 0, {"lidar", "turbine"}));
+  p.read_availability(in);
   if (p.required_lead_s + p.scan_time_s >= p.longest_lead_s) {
     in.fail("LongestLead", "found " + shortest(p.longest_lead_s) +
                                " s, expected more than RequiredLead plus ScanTime");
@@ -30,6 +35,16 @@ LdpParams LdpParams::read(InputFile& in) {
   }
   in.finish();
   return p;
+}
+
+void LdpParams::read_availability(InputFile& in) {
+  bridged_gap_s = in.number("BridgeGaps", bridged_gap_s, Range::between(0.0, 60.0));
+  availability_window_s =
+      in.number("AvailabilityWindow", availability_window_s, Range::between(1.0, 86400.0));
+  availability_limit = in.number("AvailabilityLimit", availability_limit, Range::between(0.0, 1.0));
+  if (availability_limit <= 0.0) return;
+  availability_alarm_s =
+      in.number("AvailabilityAlarmTime", availability_alarm_s, Range::not_negative());
 }
 
 void LdpParams::check_time_step(const InputFile& in, double time_step_s) const {

@@ -3,8 +3,13 @@
 
 #include "core/input_file.hpp"
 #include "core/lidar_reader.hpp"
+#include "ldp/induction_correction.hpp"
+#include "ldp/spike_filter.hpp"
+#include "ldp/wind_reconstruction.hpp"
 
 namespace lac {
+
+enum class TravelSpeed { Lidar, Turbine };
 
 struct LdpParams {
   LidarReaderParams reader;
@@ -31,11 +36,28 @@ struct LdpParams {
   // Take attitude and velocity of the lidar into account. False: level, straight up-wind, at rest.
   bool motion_compensation = true;
 
+  WindModelParams wind;
+  InductionCorrectionParams induction;
+  SpikeFilterParams spikes;
+  // Turbine: slow mean of the REWS from turbine data (record TurbineRews), which no bias of the
+  // lidar reaches; the lidar's as long as there is none.
+  TravelSpeed travel = TravelSpeed::Lidar;
+  // An estimate that turns invalid is held this long and still counts as valid. 0: gaps are left.
+  double bridged_gap_s = 0.0;
+  double availability_window_s = 60.0;
+  // Below this for availability_alarm_s: told, once. 0: never.
+  double availability_limit = 0.0;
+  double availability_alarm_s = 60.0;
+
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static LdpParams read(InputFile& in);
 
   /// Refuses times shorter than a time step. Throws lac::Error with file, line and key.
   void check_time_step(const InputFile& in, double time_step_s) const;
+
+ private:
+  /// BridgeGaps, AvailabilityWindow, AvailabilityLimit, AvailabilityAlarmTime.
+  void read_availability(InputFile& in);
 };
 
 }  // namespace lac

@@ -75,6 +75,22 @@ TEST(LidarReader, JudgesGeometry) {
   EXPECT_FALSE(b.m.gates[0].valid);
 }
 
+// Outside the limits of the range a sample is invalid; the limits themselves are inside.
+TEST(LidarReader, JudgesRanges) {
+  LidarReaderParams p;
+  const double per_axis = 1.0 / test::LidarScan().direction(0).x;
+  p.min_range_m = static_cast<float>(120.0 * per_axis);
+  p.max_range_m = p.min_range_m + 1.0;
+  Bench b(p);
+  ASSERT_TRUE(b.send(1.0, 0));
+  EXPECT_FALSE(b.m.gates[0].valid);
+  EXPECT_TRUE(b.m.gates[1].valid);
+  EXPECT_FALSE(b.m.gates[2].valid);
+  InputFile in =
+      InputFile::parse("4 ! NumberOfBeams\n90 ! MinimumRange\n80 ! MaximumRange\n", "ldp.IN");
+  EXPECT_THROW(LidarReaderParams::read(in), Error);
+}
+
 // A beam that repeats itself to the last bit while the wind moves is stuck; told once, and again
 // when it is fresh. The same repetition in steady wind is no fault.
 TEST(LidarReader, StuckBeam) {

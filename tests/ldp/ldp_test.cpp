@@ -29,6 +29,7 @@ struct Flight {
       Ldp::Inputs in;
       in.time_s = step * kStep_s;
       in.lead_needed_s = lead_needed_s;
+      in.turbine_rews_mps = turbine_rews_mps;
       LidarMeasurement m;
       if (step % every == 0) {
         m = scan.measure(in.time_s, step / every % 4);
@@ -45,6 +46,7 @@ struct Flight {
   test::LidarScan scan;
   std::function<void(LidarMeasurement&)> change;
   double lead_needed_s = 0.0;
+  double turbine_rews_mps = std::nan("");
   bool silent = false;
   int step = 0;
 };
@@ -222,16 +224,152 @@ TEST(Ldp, MotionMattersWithoutCompensation) {
   EXPECT_NEAR(flight.run_until(30.0).rews_mps, 15.3, 1e-3);
 }
 
-// A saved state continues to the last bit.
+// The turbine's slow mean sets lead and arrival, the lidar's own mean is told as before; without
+// the turbine's the lidar's is used.
+TEST(Ldp, TurbineSetsTheSpeedOfTravel) {
+  LdpParams p = four_beams();
+  p.travel = TravelSpeed::Turbine;
+  p.mean_speed_window_s = 60.0;
+  Flight flight(p);
+  EXPECT_NEAR(flight.run_until(30.0).lead_s, 60.0 / 16.0, 1e-9);
+  flight.turbine_rews_mps = 15.0;
+  const auto out = flight.run_until(60.0);
+  EXPECT_TRUE(out.turbine_sets_travel);
+  EXPECT_NEAR(out.lead_s, 60.0 / 15.0, 1e-9);
+  EXPECT_NEAR(out.mean_speed_mps, 16.0, 1e-9);
+  flight.turbine_rews_mps = std::nan("");
+  EXPECT_NEAR(flight.run_until(110.0).lead_s, 60.0 / 15.0, 1e-9);
+  EXPECT_NEAR(flight.run_until(125.0).lead_s, 60.0 / 16.0, 1e-9);
+  flight.turbine_rews_mps = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(flight.run_until(150.0).lead_s, 60.0 / 16.0, 1e-9);
+}
+
+// A gap is left by default; with BridgeGaps the last estimate stands for as long as that.
+TEST(Ldp, ShortGapsAreBridgedOnDemand) {
+  LdpParams p = four_beams();
+  p.bridged_gap_s = 3.0;
+  Flight flight(p);
+  EXPECT_FALSE(flight.run_until(30.0).bridged);
+  flight.silent = true;
+  const auto held = flight.run_until(34.9);  // MaximumAge of 2 s, then the gap
+  EXPECT_TRUE(held.valid && held.bridged);
+  EXPECT_NEAR(held.rews_mps, 16.0, 2e-6);
+  EXPECT_FALSE(flight.run_until(35.3).valid);
+  flight.silent = false;
+  EXPECT_FALSE(flight.run_until(37.0).bridged);
+  Flight fresh(p);
+  EXPECT_FALSE(fresh.run_until(5.0).valid);  // nothing to hold before the first estimate
+}
+
+// One sample of a hard target in the average of twelve is a metre per second; the test takes it
+// out.
+TEST(Ldp, SpikesAreTakenOutOnDemand) {
+  for (const double limit : {0.0, 4.0}) {
+    LdpParams p = four_beams();
+    p.spikes.limit = limit;
+    Flight flight(p);
+    flight.run_until(30.0);
+    flight.change = [](LidarMeasurement& m) { m.gates[1].speed_mps = m.beam_id == 2 ? 0.0 : 15.0; };
+    const auto out = flight.run_until(40.0);
+    EXPECT_NEAR(out.availability, limit > 0.0 ? 0.98 : 1.0, 0.01);
+    EXPECT_EQ(out.rews_mps > 15.0, limit > 0.0);
+  }
+}
+
+LdpParams four_beams(WindModel model, double window_s) {
+  LdpParams p = four_beams();
+  p.wind.model = model;
+  p.wind.window_s = window_s;
+  p.wind.hub_height_m = 90.0;
+  p.wind.rotor_radius_m = 63.0;
+  return p;
+}
+
+/// Makes the measurements those of a wind with shear and a lateral component.
+void shear_the_wind(LidarMeasurement& m) {
+  const Vec3 n = m.beam_dir_I();
+  for (int g = 0; g < m.gate_count; ++g) {
+    LidarGate& gate = m.gates[static_cast<std::size_t>(g)];
+    const Vec3 at_m = m.position_I_m + gate.range_m * n;
+    gate.speed_mps = -dot(n, Vec3{16.0 + 0.01 * at_m.y + 0.03 * (at_m.z - 90.0), 1.2, 0.0});
+  }
+}
+
+// A beam is lost (behind a blade root, say): the average is that of three beams, too high by shear
+// and lateral wind; the wind model knows what the fourth would say.
+TEST(Ldp, WindModelStandsInForALostBeam) {
+  for (const WindModel model : {WindModel::U, WindModel::All}) {
+    Flight flight(four_beams(model, 30.0));
+    flight.change = shear_the_wind;
+    EXPECT_NEAR(flight.run_until(60.0).rews_mps, 16.0, 2e-6);
+    flight.change = [](LidarMeasurement& m) {
+      shear_the_wind(m);
+      if (m.beam_id != 2) return;
+      for (int g = 0; g < m.gate_count; ++g) m.gates[static_cast<std::size_t>(g)].valid = false;
+    };
+    const auto out = flight.run_until(80.0);
+    EXPECT_TRUE(out.valid);
+    EXPECT_EQ(out.samples, 9);
+    if (model == WindModel::All) {
+      EXPECT_NEAR(out.rews_mps, 16.0, 1e-5);
+      EXPECT_NEAR(out.yaw_error_rad, std::atan2(1.2, 16.0), 1e-6);
+    } else {
+      EXPECT_GT(std::abs(out.rews_mps - 16.0), 0.2);
+      EXPECT_TRUE(std::isnan(out.yaw_error_rad));
+    }
+  }
+}
+
+// Beams in one plane cannot tell the vertical shear: without a word of the user the estimate is not
+// valid then; with WhenRefused average it is the average.
+TEST(Ldp, RefusedModelIsNotValidUnlessAsked) {
+  for (const bool average : {false, true}) {
+    LdpParams p = four_beams(WindModel::UShear, 20.0);
+    p.wind.average_if_refused = average;
+    test::LidarScan scan;
+    scan.elevation_rad = 0.0;
+    Flight flight(p, scan);
+    EXPECT_TRUE(flight.run_until(19.0).valid);  // not yet asked
+    const auto out = flight.run_until(40.0);
+    EXPECT_EQ(out.wind.reason, WindReason::Partly);
+    EXPECT_TRUE(std::isnan(out.wind.du_dz_per_s));
+    EXPECT_EQ(out.valid, average);
+    EXPECT_NEAR(out.rews_mps, 16.0, 2e-6);
+  }
+}
+
+// A position that is no number costs its samples, not the estimate.
+TEST(Ldp, WindModelSurvivesABadPosition) {
+  LdpParams p = four_beams(WindModel::All, 20.0);
+  p.induction = {
+      InductionModel::kVortexCylinder, LookupTable({5.0}, {0.5}), 60.0, true, 90.0, 63.0};
+  Flight flight(p);
+  flight.run_until(30.0);
+  flight.change = [](LidarMeasurement& m) {
+    if (m.beam_id == 1) m.position_I_m.y = std::nan("");
+  };
+  flight.run_until(31.0);
+  flight.change = nullptr;
+  const auto out = flight.run_until(60.0);
+  EXPECT_TRUE(out.valid);
+  EXPECT_TRUE(std::isfinite(out.rews_mps) && std::isfinite(out.wind.v_mps));
+}
+
+// A saved state continues to the last bit, with all there is.
 TEST(Ldp, SavedStateContinuesExactly) {
   test::LidarScan scan;
   scan.wind_mps = [](double t) { return 16.0 + std::sin(0.3 * t) + 0.5 * std::sin(1.7 * t); };
-  Flight a(four_beams(), scan);
+  LdpParams p = four_beams(WindModel::All, 5.0);
+  p.induction = {
+      InductionModel::kVortexCylinder, LookupTable({5.0}, {0.5}), 60.0, true, 90.0, 63.0};
+  p.spikes.limit = 3.0;
+  p.bridged_gap_s = 2.0;
+  Flight a(p, scan);
   a.run_until(20.0);
   std::vector<std::byte> bytes;
   StateArchive save(bytes);
   a.state.visit(save);
-  Flight b(four_beams(), scan);
+  Flight b(p, scan);
   StateArchive load{std::span<const std::byte>(bytes)};
   b.state.visit(load);
   ASSERT_TRUE(load.complete());
