@@ -24,7 +24,16 @@ namespace {
 
 constexpr int kSteps = 10000;
 
-class RealTime : public testing::Test {
+/// What an input file of ldp may ask for beside the shipped one: everything.
+constexpr const char* kAllOfLdp =
+    "all ! WindModel\n10 ! ReconstructionWindow\n90 ! HubHeight\n63 ! RotorRadius\n"
+    "average ! WhenRefused\n1 1 1 1 1 1 1 1 1 2 ! GateWeights\n"
+    "vortex_cylinder ! InductionModel\n5 15 25 ! InductionWindSpeed\n"
+    "0.8 0.25 0.05 ! InductionThrust\ntrue ! InductionDelay\n4 ! SpikeLimit\n"
+    "turbine ! TravelSpeed\n1 ! BridgeGaps\n0.9 ! AvailabilityLimit\n40 ! MinimumRange\n";
+
+/// The parameter is added to the input file of ldp.
+class RealTime : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (!kCountsAllocations) GTEST_SKIP() << "malloc, locks and memory belong to the sanitizer";
@@ -36,8 +45,9 @@ class RealTime : public testing::Test {
   /// wrapper_lac.IN without output file.
   std::string chain() const {
     const std::string shipped = LAC_SOURCE_DIR "/config/nrel5mw/";
+    const std::string ldp = folder.write("ldp.IN", folder.read(shipped + "ldp.IN") + GetParam());
     return folder.write("chain.IN",
-                        "ldp liblac_ldp " + shipped + "ldp.IN ! Secondary_1 -\n" +
+                        "ldp liblac_ldp " + ldp + " ! Secondary_1 -\n" +
                             "ti_estimator liblac_ti_estimator " + shipped +
                             "ti_estimator.IN ! Secondary_2 -\n" + "ffp liblac_ffp " + shipped +
                             "ffp.IN ! Secondary_3 -\n" + "feedback liblac_feedback " + shipped +
@@ -70,7 +80,7 @@ class RealTime : public testing::Test {
   int failures = 0, warnings = 0, changes = 0;
 };
 
-TEST_F(RealTime, NoAllocation) {
+TEST_P(RealTime, NoAllocation) {
   const NoAllocGuard guard;
   live();
   const auto allocations = guard.allocations();
@@ -81,7 +91,7 @@ TEST_F(RealTime, NoAllocation) {
 }
 
 #if !LAC_MALLOC_IS_OUT_OF_REACH
-TEST_F(RealTime, NoLock) {
+TEST_P(RealTime, NoLock) {
   const auto before = locks_of_thread;
   live();
   EXPECT_EQ(locks_of_thread, before);
@@ -89,7 +99,7 @@ TEST_F(RealTime, NoLock) {
 }
 
 // The two counts above can fail: the first call of a second turbine allocates and locks.
-TEST_F(RealTime, GuardsSeeTheLibraries) {
+TEST_P(RealTime, GuardsSeeTheLibraries) {
   const std::string in_file = chain();
   DisconCaller other("liblac_wrapper", in_file, kExtendedArraySize, folder.file("other.SrvD"));
   inputs.fill(other.swap());
@@ -102,7 +112,7 @@ TEST_F(RealTime, GuardsSeeTheLibraries) {
 #endif
 
 // No system call means no file, no clock of the kernel, no waiting for a lock.
-TEST_F(RealTime, NoSystemCall) {
+TEST_P(RealTime, NoSystemCall) {
   const int status = wait_status_without_system_calls([&] {
     live();
     return failures == 0 ? 0 : 1;
@@ -112,10 +122,13 @@ TEST_F(RealTime, NoSystemCall) {
 }
 
 // The filter sees what it is for: the last call, which is no step, unloads libraries.
-TEST_F(RealTime, FilterSeesSystemCalls) {
+TEST_P(RealTime, FilterSeesSystemCalls) {
   const int status = wait_status_without_system_calls([&] { return host.call(-1); });
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGSYS) << status;
 }
+
+INSTANTIATE_TEST_SUITE_P(Ldp, RealTime, testing::Values("", kAllOfLdp),
+                         [](const auto& p) { return *p.param == '\0' ? "shipped" : "all"; });
 
 }  // namespace
 }  // namespace lac::test
