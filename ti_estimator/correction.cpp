@@ -2,22 +2,15 @@
 #include "ti_estimator/correction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/units.hpp"
+#include "ti_estimator/disk_coherence.hpp"
+#include "ti_estimator/gauss8.hpp"
 
 namespace lac {
 namespace {
 
-struct GaussPoint {
-  double x;  // in -1 ... 1; both signs
-  double weight;
-};
-constexpr std::array<GaussPoint, 4> kGauss8{{{0.1834346424956498, 0.3626837833783620},
-                                             {0.5255324099163290, 0.3137066458778873},
-                                             {0.7966664774136267, 0.2223810344533745},
-                                             {0.9602898564975363, 0.1012285362903763}}};
 constexpr int kWindowPeriods = 16;   // the response is followed that far, its mean taken beyond
 constexpr double kPanelRatio = 1.8;  // of the frequencies at the ends of a panel
 
@@ -133,6 +126,19 @@ double Correction::u_variance(double mean_speed_mps) const {
     }
   }
   return variance / (u.sigma_mps * u.sigma_mps);
+}
+
+double Correction::rews_variance(double mean_speed_mps, double rotor_radius_m,
+                                 double cutoff_hz) const {
+  const KaimalModel& model = params_.model;
+  double variance = 0.0;
+  for (const Node& node : point_nodes_) {
+    const double f = node.frequency_hz, ratio = f / cutoff_hz;
+    const double rate_pm = model.coherence_rate(f, mean_speed_mps);
+    variance += node.weight_hz * model.u.spectrum(f, mean_speed_mps) *
+                disk_coherence(rate_pm * rotor_radius_m) / (1.0 + ratio * ratio);
+  }
+  return variance / (model.u.sigma_mps * model.u.sigma_mps);
 }
 
 double Correction::c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const {

@@ -78,6 +78,9 @@ class Correction {
   double los_variance(const Vec3& beam_W, double mean_speed_mps) const;
   /// Variance of u between 1/T and f_max, for unit sigma_u.
   double u_variance(double mean_speed_mps) const;
+  /// Variance of the mean of u over the rotor disk between 1/T and f_max, for unit sigma_u, behind
+  /// a low-pass of first order (-3 dB at the cut-off; infinity: none).
+  double rews_variance(double mean_speed_mps, double rotor_radius_m, double cutoff_hz) const;
   /// `beam_L`: unit vector in frame L; `yaw_error_rad`: wind minus nacelle direction, about z.
   double c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const;
   /// H^2, in 0 ... 1.

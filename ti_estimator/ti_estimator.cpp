@@ -28,18 +28,43 @@ View view_of(const LidarMeasurement& m, const TiEstimatorParams& p, double yaw_e
   return {beam_I, -beam_W.x};
 }
 
+/// No two samples in one step.
+SignalIntensityParams paced(SignalIntensityParams p, double time_step_s) {
+  p.statistics.scan_time_s = std::max(p.statistics.scan_time_s, time_step_s);
+  return p;
+}
+
+/// With sigma_u over sigma_REWS.
+SignalIntensityParams turbine_params(const TiEstimatorParams& p) {
+  SignalIntensityParams turbine = p.turbine;
+  if (!turbine.used) return turbine;
+  const Correction correction(p.correction);
+  std::vector<double> factors;
+  for (const double speed_mps : p.table_speeds_mps) {
+    factors.push_back(
+        std::sqrt(correction.u_variance(speed_mps) /
+                  correction.rews_variance(speed_mps, p.rotor_radius_m, p.turbine_cutoff_hz)));
+  }
+  turbine.correction = LookupTable(p.table_speeds_mps, factors);
+  return turbine;
+}
+
 }  // namespace
 
 TiEstimator::TiEstimator(TiEstimatorParams params, double time_step_s)
     : params_(std::move(params)),
       time_step_s_(time_step_s),
       table_(Correction(params_.correction), params_.beam_dir_L, params_.table_speeds_mps,
-             params_.table_yaw_errors_rad) {}
+             params_.table_yaw_errors_rad),
+      anemometer_(paced(params_.anemometer, time_step_s)),
+      turbine_(paced(turbine_params(params_), time_step_s)) {}
 
 TiEstimator::State TiEstimator::initial_state() const {
   State s;
   s.window = SpeedStatistics(params_.statistics());
   s.beams.resize(params_.beam_dir_L.size());
+  s.anemometer = anemometer_.initial_state();
+  s.turbine = turbine_.initial_state();
   return s;
 }
 
@@ -51,9 +76,13 @@ TiEstimator::Outputs TiEstimator::step(const Inputs& in, State& state) const noe
   const int left = state.window.expire(in.time_s);
   if (left >= 0) update_beam(left, in.time_s, state);
   if (in.measurement != nullptr) take_in(*in.measurement, in.time_s, state, out);
-  if (left >= 0 || in.measurement != nullptr) {
-    update_estimate(in.time_s, state);
-    state.power_level.set_intensity(state.intensity, state.mean_speed_mps, params_.power_level);
+  const bool news = left >= 0 || in.measurement != nullptr;
+  if (news) update_estimate(in, state);
+  out.estimates = estimates(in, state);
+  const IntensitySource source = params_.power_level_source;
+  if (news || source == IntensitySource::Anemometer || source == IntensitySource::Turbine) {
+    const IntensityEstimate& e = out.estimates[static_cast<std::size_t>(source)];
+    state.power_level.set_intensity(e.intensity, e.mean_speed_mps, params_.power_level);
   }
   state.power_level.step(params_.power_level.rate_1ps, time_step_s_);
 
@@ -61,6 +90,7 @@ TiEstimator::Outputs TiEstimator::step(const Inputs& in, State& state) const noe
   out.mean_speed_mps = state.mean_speed_mps;
   out.filled_series = state.filled_series;
   out.outside_table = state.outside_table;
+  out.ldp_missing = state.ldp_missing;
   out.power_level = state.power_level.level();
   out.power_level_valid = state.power_level.valid();
   return out;
@@ -103,28 +133,43 @@ void TiEstimator::update_beam(int beam, double time_s, State& state) const noexc
   state.beams[static_cast<std::size_t>(beam)] = sums;
 }
 
-void TiEstimator::update_estimate(double time_s, State& state) const noexcept {
+void TiEstimator::update_estimate(const Inputs& in, State& state) const noexcept {
   double mean_mps = 0.0;
   int filled = 0;
   for (const State::Beam& beam : state.beams) {
     mean_mps += beam.sum_of_mean_mps;
     filled += beam.filled;
   }
-  state.intensity = state.mean_speed_mps = kNaN;
+  state.intensity = state.mean_speed_mps = state.uncorrected = kNaN;
   state.filled_series = filled;
-  if (filled == 0 || !state.window.has_lasted(time_s)) return;
+  if (filled == 0 || !state.window.has_lasted(in.time_s)) return;
 
-  mean_mps /= filled;
+  mean_mps = params_.mean_speed_of_ldp ? in.ldp_mean_speed_mps : mean_mps / filled;
+  state.ldp_missing =
+      !std::isfinite(mean_mps) || (params_.use_yaw_error && !state.yaw_error_rad.started());
+  if (state.ldp_missing) {
+    state.outside_table = false;
+    return;
+  }
   const double yaw_error_rad = state.yaw_error_rad.mean();
   state.mean_speed_mps = mean_mps;
   state.outside_table = !table_.covers(mean_mps, yaw_error_rad);
   if (state.outside_table) return;
   const CorrectionTable::Place place = table_.find(mean_mps, yaw_error_rad);
-  double sigma_mps = 0.0;
+  double sigma_mps = 0.0, uncorrected_mps = 0.0;
   for (std::size_t b = 0; b < state.beams.size(); ++b) {
     sigma_mps += table_.at(b, place) * state.beams[b].sum_of_std_mps;
+    uncorrected_mps += state.beams[b].sum_of_std_mps;
   }
   state.intensity = sigma_mps / filled / mean_mps;
+  state.uncorrected = uncorrected_mps / filled / mean_mps;
+}
+
+TiEstimator::Estimates TiEstimator::estimates(const Inputs& in, State& state) const noexcept {
+  return {{{state.intensity, state.mean_speed_mps},
+           {state.uncorrected, state.mean_speed_mps},
+           anemometer_.step(in.anemometer_mps, in.time_s, state.anemometer),
+           turbine_.step(in.turbine_rews_mps, in.time_s, state.turbine)}};
 }
 
 }  // namespace lac

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -20,21 +21,30 @@ namespace lac {
 ///   TI = mean(c_TI,b |n_x,b| std(u)) / U,   U = mean(mean(u)).
 /// For a beam at rest |n_x| std(u) is std(v_los), S20's quantity; formed from u it is blind to slow
 /// turns of the beam. There is no estimate before T has passed, with no series filled, and for U
-/// or yaw error outside the c_TI table.
+/// or yaw error outside the c_TI table or not known.
+///
+/// Beside it, if asked for, the competitors of IntensitySource. One of them all drives the power
+/// level.
 class TiEstimator {
  public:
   struct Inputs {
     const LidarMeasurement* measurement = nullptr;  // nullptr: nothing new in this step
     double time_s = 0.0;
     double yaw_error_rad = 0.0;  // used with UseYawError only
+    double anemometer_mps = std::numeric_limits<double>::quiet_NaN();
+    double turbine_rews_mps = std::numeric_limits<double>::quiet_NaN();
+    double ldp_mean_speed_mps = std::numeric_limits<double>::quiet_NaN();  // MeanSpeedSource ldp
   };
+  using Estimates = std::array<IntensityEstimate, kIntensitySources>;
   struct Outputs {
-    double intensity = std::numeric_limits<double>::quiet_NaN();  // TI [-]
+    double intensity = std::numeric_limits<double>::quiet_NaN();  // TI of the lidar [-]
     double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();
+    Estimates estimates;  // of each IntensitySource
     int filled_series = 0;
     double power_level = 1.0;
     bool power_level_valid = false;
     bool outside_table = false;
+    bool ldp_missing = false;  // LDP has not given the mean speed or yaw error asked for
     // About this step's measurement:
     bool too_many_gates = false;   // more than NumberOfGates
     bool other_direction = false;  // beam more than 2 deg from BeamAzimuth, BeamElevation
@@ -53,12 +63,16 @@ class TiEstimator {
     SlowMean yaw_error_rad;
     double intensity = std::numeric_limits<double>::quiet_NaN();
     double mean_speed_mps = std::numeric_limits<double>::quiet_NaN();
+    double uncorrected = std::numeric_limits<double>::quiet_NaN();
     int filled_series = 0;
     bool outside_table = false;
+    bool ldp_missing = false;
+    SignalIntensity::State anemometer;
+    SignalIntensity::State turbine;
     PowerLevel power_level;
     void visit(StateArchive& a) {
-      a(window), a(beams), a(yaw_error_rad), a(intensity), a(mean_speed_mps);
-      a(filled_series), a(outside_table), a(power_level);
+      a(window), a(beams), a(yaw_error_rad), a(intensity), a(mean_speed_mps), a(uncorrected);
+      a(filled_series), a(outside_table), a(ldp_missing), a(anemometer), a(turbine), a(power_level);
     }
   };
 
@@ -71,11 +85,14 @@ class TiEstimator {
   void take_in(const LidarMeasurement& m, double time_s, State& state, Outputs& out) const noexcept;
   bool is_other_direction(const LidarMeasurement& m) const noexcept;
   void update_beam(int beam, double time_s, State& state) const noexcept;
-  void update_estimate(double time_s, State& state) const noexcept;
+  void update_estimate(const Inputs& in, State& state) const noexcept;
+  Estimates estimates(const Inputs& in, State& state) const noexcept;
 
   TiEstimatorParams params_;
   double time_step_s_;
   CorrectionTable table_;
+  SignalIntensity anemometer_;
+  SignalIntensity turbine_;
 };
 
 }  // namespace lac

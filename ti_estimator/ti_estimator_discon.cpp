@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records <-> TiEstimator. Reads the host's lidar block and record 24, writes the Turbulence* and
-// PowerLevel* records of the chain block.
+// Records <-> TiEstimator. Reads the host's lidar block, records 24 and 27 and what ldp and monitor
+// have written, writes the Turbulence* and PowerLevel* records of the chain block.
 #include "core/chain_block.hpp"
 #include "core/discon_module.hpp"
 #include "ti_estimator/ti_estimator.hpp"
@@ -11,7 +11,7 @@ namespace {
 class TiEstimatorModule final : public DisconModule {
  public:
   TiEstimatorModule(const TiEstimatorParams& params, double time_step_s)
-      : gates_(params.number_of_gates),
+      : params_(params),
         reader_(params.reader),
         estimator_(params, time_step_s),
         state_(estimator_.initial_state()),
@@ -22,7 +22,11 @@ class TiEstimatorModule final : public DisconModule {
   void step(SwapView swap, double time_s, Notice& notice) noexcept override {
     TiEstimator::Inputs in;
     in.time_s = time_s;
-    in.yaw_error_rad = swap.get(Rec::YawError);
+    in.yaw_error_rad = yaw_error_rad(swap);
+    // 0 where no ldp writes.
+    if (swap.get(Rec::LidarMeanSpeed) > 0.0) in.ldp_mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
+    in.anemometer_mps = swap.get(Rec::HubWindSpeed);
+    if (swap.get(Rec::TurbineRewsValid) == 1.0) in.turbine_rews_mps = swap.get(Rec::TurbineRews);
     if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
       in.measurement = &measurement_;
     }
@@ -36,14 +40,16 @@ class TiEstimatorModule final : public DisconModule {
  private:
   struct Reported {
     bool gates = false, direction = false, room = false;  // once per run
-    bool valid = false, outside = false;                  // at each change
-    void visit(StateArchive& a) { a(gates), a(direction), a(room), a(valid), a(outside); }
+    bool valid = false, outside = false, source = false;  // at each change
+    void visit(StateArchive& a) {
+      a(gates), a(direction), a(room), a(valid), a(outside), a(source);
+    }
   };
 
   void report(const TiEstimator::Outputs& out, Notice& notice) noexcept {
     if (out.too_many_gates && !reported_.gates) {
       notice.warn("lidar sends %d gates, only the first %d are used (NumberOfGates)",
-                  measurement_.gate_count, gates_);
+                  measurement_.gate_count, params_.number_of_gates);
     }
     if (out.other_direction && !reported_.direction) {
       notice.warn(
@@ -58,23 +64,52 @@ class TiEstimatorModule final : public DisconModule {
       notice.warn("mean wind (%.1f m/s) or yaw error outside the c_TI table: no estimate",
                   out.mean_speed_mps);
     } else if (reported_.valid && !out.valid()) {
-      notice.warn(
-          "turbulence intensity lost: %d volumes have enough samples; the power level "
-          "goes back to 1",
-          out.filled_series);
+      notice.warn("turbulence intensity lost: %d volumes have enough samples%s%s",
+                  out.filled_series,
+                  out.ldp_missing ? ", ldp gives no mean wind speed or yaw error" : "",
+                  by_lidar() ? "; the power level goes back to 1" : "");
     }
-    reported_ = {reported_.gates || out.too_many_gates, reported_.direction || out.other_direction,
-                 reported_.room || out.no_room, out.valid(), out.outside_table};
+    const bool source_valid = estimate(params_.power_level_source, out).valid();
+    if (!by_lidar() && reported_.source && !source_valid) {
+      notice.warn(
+          "turbulence intensity that PowerLevelSource asks for lost; the power level goes "
+          "back to 1");
+    }
+    reported_ = {reported_.gates || out.too_many_gates,
+                 reported_.direction || out.other_direction,
+                 reported_.room || out.no_room,
+                 out.valid(),
+                 out.outside_table,
+                 source_valid};
+  }
+  /// Not a number where no ldp reconstructs the wind.
+  double yaw_error_rad(const SwapView& swap) const noexcept {
+    if (!params_.yaw_error_of_ldp) return swap.get(Rec::YawError);
+    return swap.get(Rec::LidarReconstruction) > 0.0 ? swap.get(Rec::LidarYawError)
+                                                    : std::numeric_limits<double>::quiet_NaN();
+  }
+  bool by_lidar() const { return params_.power_level_source == IntensitySource::Lidar; }
+  static const IntensityEstimate& estimate(IntensitySource source,
+                                           const TiEstimator::Outputs& out) {
+    return out.estimates[static_cast<std::size_t>(source)];
   }
 
   void write(const TiEstimator::Outputs& out, SwapView& swap) const noexcept {
     swap.set(Rec::TurbulenceIntensity, out.intensity);
     swap.set(Rec::TurbulenceValid, out.valid() ? 1.0 : 0.0);
+    write_other(IntensitySource::Uncorrected, Rec::TurbulenceUncorrected, out, swap);
+    write_other(IntensitySource::Anemometer, Rec::TurbulenceAnemometer, out, swap);
+    write_other(IntensitySource::Turbine, Rec::TurbulenceTurbine, out, swap);
     swap.set(Rec::PowerLevel, out.power_level);
     swap.set(Rec::PowerLevelValid, out.power_level_valid ? 1.0 : 0.0);
   }
 
-  int gates_;
+  void write_other(IntensitySource source, Rec record, const TiEstimator::Outputs& out,
+                   SwapView& swap) const noexcept {
+    if (params_.has(source)) swap.set(record, estimate(source, out).intensity);
+  }
+
+  TiEstimatorParams params_;
   LidarReader reader_;
   TiEstimator estimator_;
   TiEstimator::State state_;

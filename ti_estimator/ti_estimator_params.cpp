@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ti_estimator/ti_estimator_params.hpp"
 
+#include <array>
+
 #include "core/units.hpp"
 
 namespace lac {
@@ -104,6 +106,11 @@ void read_axis(InputFile& in, const std::string& key, Range range, std::vector<d
 void read_table_axes(InputFile& in, TiEstimatorParams& p) {
   read_axis(in, "TableWindSpeeds", {0.5, 100.0}, p.table_speeds_mps);
   p.use_yaw_error = in.flag("UseYawError", p.use_yaw_error);
+  p.yaw_error_of_ldp = in.choice("YawErrorSource", 0, {"record24", "ldp"}) == 1;
+  p.mean_speed_of_ldp = in.choice("MeanSpeedSource", 0, {"window", "ldp"}) == 1;
+  if (p.yaw_error_of_ldp && !p.use_yaw_error) {
+    in.fail("YawErrorSource", "found ldp without UseYawError true, by which it would be used");
+  }
   if (p.use_yaw_error && p.reader.layout == LidarLayout::OpenFast) {
     in.fail("UseYawError",
             "not with LidarLayout openfast: that lidar does not turn with the nacelle, from which "
@@ -146,8 +153,37 @@ void read_intensities(InputFile& in, PowerLevelParams& g) {
   g.zero_intensity = LookupTable(speeds_mps, zero);
 }
 
+SignalIntensityParams read_signal(InputFile& in, const char* key, const TiEstimatorParams& p) {
+  SignalIntensityParams s;
+  s.used = in.flag(key, false);
+  s.statistics = p.statistics();
+  s.statistics.beams = s.statistics.gates = 1;
+  s.statistics.scan_time_s = kSignalInterval_s;
+  return s;
+}
+
+void read_other_estimates(InputFile& in, TiEstimatorParams& p) {
+  p.uncorrected = in.flag("EstimateUncorrected", p.uncorrected);
+  p.anemometer = read_signal(in, "EstimateAnemometer", p);
+  p.anemometer.speed_factor =
+      in.number("AnemometerSpeedFactor", p.anemometer.speed_factor, Range::between(0.5, 2.0));
+  p.anemometer.added_intensity =
+      in.number("AnemometerAddedIntensity", p.anemometer.added_intensity, Range::between(0.0, 1.0));
+  p.turbine = read_signal(in, "EstimateTurbine", p);
+  if (p.turbine.used || in.has("RotorRadius"))
+    p.rotor_radius_m = in.number("RotorRadius", Range::positive());
+  p.turbine_cutoff_hz = in.number("TurbineCutOff", p.turbine_cutoff_hz, Range::positive());
+}
+
 void read_power_level(InputFile& in, TiEstimatorParams& p) {
   PowerLevelParams& g = p.power_level;
+  p.power_level_source = static_cast<IntensitySource>(
+      in.choice("PowerLevelSource", 0, {"lidar", "uncorrected", "anemometer", "turbine"}));
+  if (!p.has(p.power_level_source)) {
+    in.fail("PowerLevelSource",
+            "this estimate is not made; ask for it by EstimateUncorrected, EstimateAnemometer or "
+            "EstimateTurbine");
+  }
   read_intensities(in, g);
   g.maximum = in.number("MaximumPowerLevel", g.maximum, {0.0, 2.0, false});
   g.rate_1ps = in.number("PowerLevelRate", g.rate_1ps, Range::positive());
@@ -168,12 +204,18 @@ StatisticsSpec TiEstimatorParams::statistics() const {
   return spec;
 }
 
+bool TiEstimatorParams::has(IntensitySource source) const {
+  return std::array{true, uncorrected, anemometer.used,
+                    turbine.used}[static_cast<std::size_t>(source)];
+}
+
 TiEstimatorParams TiEstimatorParams::read(InputFile& in) {
   TiEstimatorParams p;
   read_lidar(in, p);
   read_statistics(in, p);
   read_correction(in, p);
   read_table_axes(in, p);
+  read_other_estimates(in, p);
   read_power_level(in, p);
   in.finish();
   return p;

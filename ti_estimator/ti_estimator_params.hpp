@@ -7,13 +7,15 @@
 #include "core/lidar_reader.hpp"
 #include "ti_estimator/correction.hpp"
 #include "ti_estimator/power_level.hpp"
-#include "ti_estimator/speed_statistics.hpp"
+#include "ti_estimator/signal_intensity.hpp"
 
 namespace lac {
 
 // Limits of AveragingTime over ScanTime.
 inline constexpr int kFewestSamples = 10;
 inline constexpr int kMostSamples = 20000;
+// Between two samples of anemometer and rotor-effective wind speed, unless a step takes longer.
+inline constexpr double kSignalInterval_s = 0.25;
 // Smallest |n_x| of a beam that can give a wind speed, as in LidarReader.
 inline constexpr double kSmallestProjection = 0.05;
 
@@ -37,18 +39,29 @@ struct TiEstimatorParams {
   // Slow mean over T of record 24 as wind direction, in c_TI and in the projection. False: the
   // wind blows along x of frame I and c_TI is that of no misalignment.
   bool use_yaw_error = false;
+  bool yaw_error_of_ldp = false;   // the wind direction is LDP's (record 3315) instead of record 24
+  bool mean_speed_of_ldp = false;  // U is LDP's slow mean (record 3307) instead of the window's
 
   CorrectionParams correction;
   // Axes of the c_TI table. Outside of them there is no estimate.
   std::vector<double> table_speeds_mps{3, 4, 5, 6.5, 8, 10, 12.5, 15, 18, 22, 27, 33, 40};
   std::vector<double> table_yaw_errors_rad{0.0};
 
+  // Estimates beside the lidar's, none unless asked for.
+  bool uncorrected = false;
+  SignalIntensityParams anemometer;  // record 27
+  SignalIntensityParams turbine;     // record 3771; its correction comes with the estimator
+  double rotor_radius_m = 0.0;
+  double turbine_cutoff_hz = std::numeric_limits<double>::infinity();  // of record 3771
+
+  IntensitySource power_level_source = IntensitySource::Lidar;
   PowerLevelParams power_level;
 
   /// Reads all keys and refuses unknown ones. Throws lac::Error.
   static TiEstimatorParams read(InputFile& in);
 
   StatisticsSpec statistics() const;
+  bool has(IntensitySource source) const;
 };
 
 }  // namespace lac

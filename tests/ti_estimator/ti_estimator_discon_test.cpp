@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "support/discon_caller.hpp"
+#include "support/temp_folder.hpp"
 #include "ti_estimator/ti_estimator.hpp"
 
 namespace lac {
@@ -20,9 +23,9 @@ constexpr int kStepsPerBeam = 20;
 /// The lidar of the shipped input file in a wind of 16 m/s with a sine of 12 s on it.
 class Host {
  public:
-  explicit Host(const std::string& out_name = "test.SrvD")
-      : caller("liblac_ti_estimator", kShipped, kPrivateArraySize, out_name) {
-    InputFile in = InputFile::load(kShipped);
+  explicit Host(const std::string& out_name = "test.SrvD", const std::string& input = kShipped)
+      : caller("liblac_ti_estimator", input, kPrivateArraySize, out_name) {
+    InputFile in = InputFile::load(input);
     params = TiEstimatorParams::read(in);
   }
   ~Host() { caller.call(-1); }
@@ -67,6 +70,13 @@ class Host {
     if (lie != 0.0) m.gates[4].speed_mps = lie;
   }
 };
+
+std::string shipped_with_yaw() {
+  std::ifstream in(kShipped);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string off = "false                    ! UseYawError";
+  return text.replace(text.find(off), off.size(), "true ! UseYawError");
+}
 
 constexpr int kWindowSteps = 180 * 80;
 
@@ -137,6 +147,52 @@ TEST(TiEstimatorLibrary, StoreAndRestore) {
   }
   EXPECT_EQ(first, second);
   EXPECT_NE(first[1], first.back());  // the power level was on its way
+}
+
+// Records 27, 3771 with 3772, 3307 and 3315 with 3319 are read by those who ask for them; estimates
+// nobody asks for are not written.
+TEST(TiEstimatorLibrary, CompetitorsAndLdp) {
+  const test::TempFolder folder;
+  const std::string file =
+      folder.write("ti.IN", shipped_with_yaw() +
+                                "\ntrue ! EstimateUncorrected - x\ntrue ! EstimateAnemometer - x\n"
+                                "true ! EstimateTurbine - x\n65 ! RotorRadius - x\n"
+                                "anemometer ! PowerLevelSource - x\nldp ! MeanSpeedSource - x\n"
+                                "ldp ! YawErrorSource - x\n");
+  Host host("others.SrvD", file);
+  const auto run = [&](int count) {
+    int messages = 0;
+    for (int i = 0; i < count; ++i) {
+      const double u = 16.0 + 3.0 * std::sin(2.0 * kPi * 0.0125 * host.steps / 12.0);
+      host.caller.swap().set(Rec::HubWindSpeed, u);
+      host.caller.swap().set(Rec::TurbineRews, u);
+      messages += host.run(1);
+    }
+    return messages;
+  };
+  host.caller.swap().set(Rec::LidarMeanSpeed, 16.0);
+  run(kWindowSteps + 8000);
+  EXPECT_EQ(host.get(Rec::TurbulenceValid), 0.0);  // LidarReconstruction is 0: no yaw error
+  EXPECT_NEAR(host.get(Rec::TurbulenceAnemometer), 3.0 / 16.0 * std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(host.get(Rec::PowerLevel), 1.1, 1e-6);          // the anemometer drives it
+  EXPECT_TRUE(std::isnan(host.get(Rec::TurbulenceTurbine)));  // TurbineRewsValid is 0
+
+  host.caller.swap().set(Rec::LidarReconstruction, 1.0);
+  host.caller.swap().set(Rec::LidarYawError, 0.1);
+  host.caller.swap().set(Rec::TurbineRewsValid, 1.0);
+  EXPECT_EQ(run(kWindowSteps + 8000), 0);
+  EXPECT_EQ(host.get(Rec::TurbulenceValid), 1.0);
+  EXPECT_GT(host.get(Rec::TurbulenceTurbine), host.get(Rec::TurbulenceAnemometer));
+  EXPECT_LT(host.get(Rec::TurbulenceUncorrected), host.get(Rec::TurbulenceIntensity));
+
+  host.caller.swap().set(Rec::LidarMeanSpeed, std::nan(""));
+  EXPECT_EQ(run(800), 1);
+  EXPECT_NE(host.last_message.find("ldp gives no mean wind speed"), std::string::npos)
+      << host.last_message;
+
+  Host plain;
+  plain.run(kWindowSteps + 80);
+  EXPECT_EQ(plain.get(Rec::TurbulenceAnemometer), 0.0);
 }
 
 // Called by a host directly there is no chain to write to: refused with what to do.

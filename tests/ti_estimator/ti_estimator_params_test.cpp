@@ -82,6 +82,25 @@ TEST(TiEstimatorParams, Options) {
   EXPECT_TRUE(p.correction.aliasing);
 }
 
+// Competitors, what drives the power level, and what comes from LDP; all off by default.
+TEST(TiEstimatorParams, Competitors) {
+  const TiEstimatorParams plain = parse(kMinimal);
+  EXPECT_FALSE(plain.uncorrected || plain.anemometer.used || plain.turbine.used);
+  EXPECT_FALSE(plain.yaw_error_of_ldp || plain.mean_speed_of_ldp);
+  const TiEstimatorParams p = parse(
+      kMinimal +
+      "true ! EstimateUncorrected - x\ntrue ! EstimateAnemometer - x\ntrue ! EstimateTurbine - x\n"
+      "0.1 ! AnemometerAddedIntensity - x\n1.1 ! AnemometerSpeedFactor - x\n65 ! RotorRadius - x\n"
+      "0.5 ! TurbineCutOff - x\nturbine ! PowerLevelSource - x\ntrue ! UseYawError - x\n"
+      "ldp ! YawErrorSource - x\nldp ! MeanSpeedSource - x\n240 ! AveragingTime - x\n");
+  EXPECT_TRUE(p.uncorrected && p.anemometer.used && p.turbine.used);
+  EXPECT_EQ(p.anemometer.statistics.window_s, 240.0);
+  EXPECT_EQ(p.anemometer.statistics.beams, 1);
+  EXPECT_EQ(p.turbine_cutoff_hz, 0.5);
+  EXPECT_EQ(p.power_level_source, IntensitySource::Turbine);
+  EXPECT_TRUE(p.yaw_error_of_ldp && p.mean_speed_of_ldp);
+}
+
 // Mistakes are refused with the key and what was expected.
 TEST(TiEstimatorParams, Mistakes) {
   const auto expect = [](const std::string& line, const std::string& key, const std::string& text) {
@@ -104,6 +123,9 @@ TEST(TiEstimatorParams, Mistakes) {
          "contradicts");
   expect("0 ! PowerLevelRate - x\n", "PowerLevelRate", "found");
   expect("true ! UseYawErorr - x\n", "UseYawErorr", "UseYawError");
+  expect("ldp ! YawErrorSource - x\n", "YawErrorSource", "without UseYawError");
+  expect("anemometer ! PowerLevelSource - x\n", "PowerLevelSource", "EstimateAnemometer");
+  expect("true ! EstimateTurbine - x\n", "RotorRadius", "missing");
 }
 
 // A beam across the wind cannot give a wind speed, nor can a window of a handful of samples or of

@@ -317,5 +317,108 @@ TEST(TiEstimator, StepsDoNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0U);
 }
 
+const IntensityEstimate& of(const TiEstimator::Outputs& out, IntensitySource source) {
+  return out.estimates[static_cast<std::size_t>(source)];
+}
+
+TiEstimatorParams with_competitors() {
+  TiEstimatorParams p = params();
+  p.uncorrected = true;
+  for (SignalIntensityParams* s : {&p.anemometer, &p.turbine}) {
+    s->used = true;
+    s->statistics = p.statistics();
+    s->statistics.beams = s->statistics.gates = 1;
+    s->statistics.scan_time_s = kSignalInterval_s;
+  }
+  p.rotor_radius_m = 65.0;
+  return p;
+}
+
+/// Lidar, anemometer and rotor all in the sine.
+TiEstimator::Outputs run_competitors(const TiEstimatorParams& p, double until_s) {
+  const TiEstimator estimator(p, kTimeStep_s);
+  TiEstimator::State state = estimator.initial_state();
+  Rig rig(p);  // for its measurements
+  TiEstimator::Outputs out;
+  for (int i = 0; i * kTimeStep_s < until_s - 1e-9; ++i) {
+    rig.step();
+    TiEstimator::Inputs in;
+    in.time_s = i * kTimeStep_s;
+    if (i % kStepsPerBeam == 0) in.measurement = &rig.measurement;
+    in.anemometer_mps = in.turbine_rews_mps = sine_wind(in.time_s).x;
+    in.ldp_mean_speed_mps = 12.0;
+    out = estimator.step(in, state);
+  }
+  return out;
+}
+
+// In a wind that is the same everywhere: uncorrected lidar and anemometer have its plain ratio of
+// standard deviation and mean, the turbine that times sigma_u over sigma_REWS (interpolated in the
+// table: 0.3 %).
+TEST(TiEstimator, Competitors) {
+  const TiEstimatorParams p = with_competitors();
+  const auto out = run_competitors(p, 100.0);
+  const double ratio = kAmplitude_mps / kSpeed_mps * std::sqrt(0.5);
+  const Correction c(p.correction);
+  const double rotor =
+      std::sqrt(c.u_variance(kSpeed_mps) / c.rews_variance(kSpeed_mps, 65.0, p.turbine_cutoff_hz));
+  EXPECT_GT(rotor, 1.2);
+  EXPECT_NEAR(of(out, IntensitySource::Uncorrected).intensity / ratio, std::sqrt(60.0 / 59.0),
+              1e-4);
+  EXPECT_NEAR(of(out, IntensitySource::Anemometer).intensity / ratio, std::sqrt(240.0 / 239.0),
+              1e-4);
+  EXPECT_NEAR(of(out, IntensitySource::Turbine).intensity / ratio / rotor, std::sqrt(240.0 / 239.0),
+              4e-3);
+  EXPECT_EQ(of(out, IntensitySource::Lidar).intensity, out.intensity);
+}
+
+// The competitors leave the lidar's estimate as it is, and the power level with it; each of them
+// drives the level if it is asked to.
+TEST(TiEstimator, PowerLevelSource) {
+  TiEstimatorParams p = with_competitors();
+  p.power_level.rate_1ps = 1.0;
+  Rig alone(params());
+  EXPECT_EQ(run_competitors(p, 100.0).intensity, alone.run_until(100.0).intensity);
+  for (const auto source : {IntensitySource::Lidar, IntensitySource::Uncorrected,
+                            IntensitySource::Anemometer, IntensitySource::Turbine}) {
+    p.power_level_source = source;
+    const auto out = run_competitors(p, 100.0);
+    EXPECT_NEAR(out.power_level,
+                power_level_for(of(out, source).intensity, kSpeed_mps, p.power_level), 1e-12);
+  }
+}
+
+// U from LDP: in the denominator, and where c_TI is looked up; none without one.
+TEST(TiEstimator, MeanSpeedOfLdp) {
+  TiEstimatorParams p = with_competitors();
+  const auto own = run_competitors(p, 100.0);
+  p.mean_speed_of_ldp = true;
+  const auto out = run_competitors(p, 100.0);
+  EXPECT_EQ(out.mean_speed_mps, 12.0);
+  const Vec3 n = p.beam_dir_L[0];
+  const Correction c(p.correction);
+  EXPECT_NEAR(out.intensity / own.intensity,
+              kSpeed_mps / 12.0 * c.c_ti(n, 12.0, 0.0) / c.c_ti(n, kSpeed_mps, 0.0), 4e-3);
+  Rig rig(p);  // hears nothing from LDP
+  const auto none = rig.run_until(100.0);
+  EXPECT_FALSE(none.valid());
+  EXPECT_TRUE(none.ldp_missing);
+}
+
+// A yaw error that is never known is not taken for none; gaps in it are.
+TEST(TiEstimator, YawErrorUnknown) {
+  TiEstimatorParams p = params();
+  p.use_yaw_error = true;
+  p.table_yaw_errors_rad = {-0.2, 0.0, 0.2};
+  Rig never(p);
+  never.yaw_error_rad = std::nan("");
+  EXPECT_TRUE(never.run_until(100.0).ldp_missing);
+  Rig late(p);
+  late.yaw_error_rad = 0.1;
+  late.run_until(70.0);
+  late.yaw_error_rad = std::nan("");
+  EXPECT_TRUE(late.run_until(100.0).valid());
+}
+
 }  // namespace
 }  // namespace lac

@@ -184,6 +184,16 @@ TEST_F(CaseFileTest, LidarThatCannotMeasure) {
               HasSubstr("case.yaml:13: lidar: the first measurement is complete after"));
 }
 
+// The anemometer stands in the undisturbed wind unless the case says otherwise.
+TEST_F(CaseFileTest, Anemometer) {
+  EXPECT_FALSE(load_case(files_.file()).anemometer.disturbed());
+  const Case c = load_case(files_.file(), {"anemometer={induction_share: 0.7, time_scale_s: 1}"});
+  EXPECT_EQ(c.anemometer.induction_share, 0.7);
+  EXPECT_EQ(c.anemometer.time_scale_s, 1.0);
+  EXPECT_THAT(error_with("wind:", "anemometer: {added_intensity: 2}\nwind:"),
+              HasSubstr("anemometer.added_intensity"));
+}
+
 // The window of the turbulence intensity is no longer than the case.
 TEST_F(CaseFileTest, WindWindow) {
   EXPECT_EQ(load_case(files_.file()).outputs.wind_window_s, 20.0);
