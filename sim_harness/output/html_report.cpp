@@ -2,14 +2,10 @@
 #include "sim_harness/output/html_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <map>
-#include <string_view>
 
 #include "core/error.hpp"
-#include "core/part_file.hpp"
+#include "sim_harness/output/page_parts.hpp"
 #include "sim_harness/output/report_data.hpp"
 #include "sim_harness/output/text_table.hpp"
 
@@ -20,44 +16,7 @@ extern const char kReportPage[];  // report_page.html with style and scripts, ma
 namespace {
 
 constexpr double kNegligible = 0.001;  // a change below 0.1 % is neither better nor worse
-constexpr int kRunColours = 6;         // report_page.css has as many
-
-std::string escaped(std::string_view text) {
-  constexpr std::string_view kSpecial = "&<>\"'";
-  constexpr std::array kNames{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
-  std::string html;
-  for (const char c : text) {
-    const std::size_t which = kSpecial.find(c);
-    which == std::string_view::npos ? html += c : html += kNames[which];
-  }
-  return html;
-}
-
-// As the script writes numbers: a true minus, thousands apart from five digits on.
-std::string displayed(std::string number) {
-  const bool negative = number.starts_with('-');
-  if (negative) number.erase(0, 1);
-  const std::size_t digits = std::min(number.find_first_not_of("0123456789"), number.size());
-  for (std::size_t at = digits; digits > 4 && at > 3;) number.insert(at -= 3, "\u202f");
-  return (negative ? "\u2212" : "") + number;
-}
-
-std::string metadata_html(const HtmlReport& report) {
-  if (report.metadata.empty()) return {};
-  std::string html = "<dl class=\"metadata\">\n";
-  for (const auto& [name, value] : report.metadata) {
-    html += "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
-  }
-  return html + "</dl>";
-}
-
-std::string bar_html(double change, double widest) {
-  if (!std::isfinite(change) || widest <= 0.0) return {};
-  char width[16];
-  std::snprintf(width, sizeof width, "%.1f", 50.0 * std::abs(change) / widest);
-  return std::string("<span class=\"bar\" aria-hidden=\"true\"><i class=\"") +
-         (change < 0.0 ? "down" : "up") + "\" style=\"width:" + width + "%\"></i></span>";
-}
+constexpr int kRunColours = 6;         // page_style.css has as many
 
 const char* verdict(const ReportResult& row) {
   if (!std::isfinite(row.relative_change)) return "none";
@@ -67,16 +26,16 @@ const char* verdict(const ReportResult& row) {
 
 std::string change_html(const ReportResult& row, double widest) {
   return std::string("<td class=\"change ") + verdict(row) + "\">" +
-         bar_html(row.relative_change, widest) + displayed(format_change(row.relative_change)) +
-         "</td>";
+         bar_html(row.relative_change, widest) +
+         displayed_number(format_change(row.relative_change)) + "</td>";
 }
 
 std::string result_row_html(const ReportResult& row, bool with_change, double widest) {
-  std::string html = "<tr><th scope=\"row\" data-unit=\"" + escaped(row.unit) + "\">" +
-                     escaped(row.quantity) + "</th><td class=\"unit\">" + escaped(row.unit) +
+  std::string html = "<tr><th scope=\"row\" data-unit=\"" + html_text(row.unit) + "\">" +
+                     html_text(row.quantity) + "</th><td class=\"unit\">" + html_text(row.unit) +
                      "</td>";
   for (const double value : row.values) {
-    html += "<td>" + displayed(format_value(value, row.decimals)) + "</td>";
+    html += "<td>" + displayed_number(format_value(value, row.decimals)) + "</td>";
   }
   if (with_change) html += change_html(row, widest);
   return html + "</tr>\n";
@@ -84,11 +43,13 @@ std::string result_row_html(const ReportResult& row, bool with_change, double wi
 
 std::string results_html(const HtmlReport& report) {
   std::string html =
-      "<div class=\"table-wrap\"><table>\n<thead><tr><th scope=\"col\">Quantity</th>"
+      "<div class=\"table-wrap\"><table class=\"sortable\">\n<thead><tr><th "
+      "scope=\"col\">Quantity</th>"
       "<th scope=\"col\" class=\"unit\">Unit</th>";
   for (std::size_t run = 0; run < report.runs.size(); ++run) {
     html += "<th scope=\"col\"><span class=\"swatch\" style=\"border-color:var(--run-" +
-            std::to_string(run % kRunColours) + ")\"></span>" + escaped(report.runs[run]) + "</th>";
+            std::to_string(run % kRunColours) + ")\"></span>" + html_text(report.runs[run]) +
+            "</th>";
   }
   const bool with_change = report.runs.size() > 1;
   if (with_change) html += "<th scope=\"col\">Relative change</th>";
@@ -110,11 +71,8 @@ std::string notes_html(const HtmlReport& report) {
                     std::to_string(2 * factor) + " samples.");
   }
   if (notes.empty()) return {};
-  std::string html =
-      "<section aria-labelledby=\"notes-heading\"><h2 id=\"notes-heading\">Notes</h2>\n"
-      "<ul class=\"notes\">\n";
-  for (const std::string& note : notes) html += "<li>" + escaped(note) + "</li>\n";
-  return html + "</ul></section>";
+  return "<section aria-labelledby=\"notes-heading\"><h2 id=\"notes-heading\">Notes</h2>\n" +
+         list_html(notes) + "</section>";
 }
 
 void require_run(const HtmlReport& report, const std::string& name, int run) {
@@ -154,36 +112,19 @@ void validate(const HtmlReport& report) {
   }
 }
 
-// One pass over the template: what was put in is not looked at again.
-std::string filled(std::string_view page,
-                   const std::map<std::string, std::string, std::less<>>& parts) {
-  constexpr std::string_view kOpen = "<!--lac:", kClose = "-->";
-  std::string html;
-  for (std::size_t at = page.find(kOpen); at != std::string_view::npos; at = page.find(kOpen)) {
-    const std::size_t end = page.find(kClose, at);
-    html += page.substr(0, at);
-    html += parts.at(std::string(page.substr(at + kOpen.size(), end - at - kOpen.size())));
-    page.remove_prefix(end + kClose.size());
-  }
-  return html.append(page);
-}
-
 }  // namespace
 
 std::string html_report(const HtmlReport& report) {
   validate(report);
-  return filled(kReportPage, {{"title", escaped(report.title)},
-                              {"metadata", metadata_html(report)},
-                              {"results", results_html(report)},
-                              {"notes", notes_html(report)},
-                              {"data", report_json(report)}});
+  return filled_page(kReportPage, {{"title", html_text(report.title)},
+                                   {"metadata", metadata_html(report.metadata)},
+                                   {"results", results_html(report)},
+                                   {"notes", notes_html(report)},
+                                   {"data", report_json(report)}});
 }
 
 void write_html_report(const std::filesystem::path& path, const HtmlReport& report) {
-  PartFile file(path);
-  const std::string page = html_report(report);
-  file.write(page.data(), page.size());
-  file.commit();
+  write_page(path, html_report(report));
 }
 
 }  // namespace lac::sim

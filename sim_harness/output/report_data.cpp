@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <string_view>
+
+#include "sim_harness/output/page_parts.hpp"
 
 namespace lac::sim {
 namespace {
@@ -13,36 +13,8 @@ namespace {
 constexpr double kHighestLevel = 65534.0;
 constexpr std::uint16_t kMissing = 65535;
 
-std::string json_text(std::string_view text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || c == '"' || c == '\\' || c == '<' || c == '>' || c == '&') {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", code);
-      json += escape;
-    } else {
-      json += c;
-    }
-  }
-  return json + "\"";
-}
-
 std::string number(double value, int digits) {
-  if (!std::isfinite(value)) return "0";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
-template <typename Items, typename ToText>
-std::string array(const Items& items, ToText to_text) {
-  std::string json = "[";
-  for (const auto& item : items) {
-    if (json.size() > 1) json += ',';
-    json += to_text(item);
-  }
-  return json + "]";
+  return std::isfinite(value) ? json_number(value, digits) : "0";
 }
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -106,14 +78,14 @@ std::string trace_json(const ReportTrace& trace, std::size_t factor) {
 std::string spectrum_json(const ReportSpectrum& spectrum) {
   const auto short_number = [](double v) { return number(v, 5); };
   return "{\"name\":" + json_text(spectrum.name) + ",\"run\":" + std::to_string(spectrum.run) +
-         ",\"f\":" + array(spectrum.frequency_hz, short_number) +
-         ",\"s\":" + array(spectrum.density, short_number) + "}";
+         ",\"f\":" + json_array(spectrum.frequency_hz, short_number) +
+         ",\"s\":" + json_array(spectrum.density, short_number) + "}";
 }
 
 template <typename Panel, typename ToText>
 std::string panel_json(const Panel& panel, ToText series_text) {
   return "{\"title\":" + json_text(panel.title) + ",\"unit\":" + json_text(panel.unit) +
-         ",\"series\":" + array(panel.series, series_text) + "}";
+         ",\"series\":" + json_array(panel.series, series_text) + "}";
 }
 
 std::size_t samples_per_trace(const HtmlReport& report) {
@@ -154,14 +126,15 @@ std::string report_json(const HtmlReport& report) {
   const std::size_t stored =
       factor == 1 ? samples : 2 * ((samples + 2 * factor - 1) / (2 * factor));
   const auto trace = [&](const ReportTrace& t) { return trace_json(t, factor); };
-  return "{\"runs\":" + array(report.runs, json_text) +
+  return "{\"runs\":" + json_array(report.runs, json_text) +
          ",\"t0\":" + number(report.start_time_s, 17) +
          ",\"dt\":" + number(report.time_step_s * static_cast<double>(factor), 17) +
          ",\"n\":" + std::to_string(stored) + ",\"runIn\":" + number(report.run_in_until_s, 17) +
          ",\"traces\":" +
-         array(report.traces, [&](const auto& p) { return panel_json(p, trace); }) +
+         json_array(report.traces, [&](const auto& p) { return panel_json(p, trace); }) +
          ",\"spectra\":" +
-         array(report.spectra, [](const auto& p) { return panel_json(p, spectrum_json); }) + "}";
+         json_array(report.spectra, [](const auto& p) { return panel_json(p, spectrum_json); }) +
+         "}";
 }
 
 }  // namespace lac::sim
