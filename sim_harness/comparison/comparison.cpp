@@ -18,16 +18,16 @@ struct Pair {
 using PairsAtSpeed = std::map<double, std::vector<Pair>>;
 
 PairsAtSpeed pair_up(const RunTable& a, const RunTable& b, Comparison& result) {
-  std::map<std::string, const RunTable::Run*> partners;
-  for (const RunTable::Run& run : b.runs) partners[run.key] = &run;
+  std::map<std::string, std::size_t> partners;
+  for (std::size_t i = 0; i < b.runs.size(); ++i) partners[b.runs[i].key] = i;
   PairsAtSpeed pairs;
-  std::size_t count = 0;
-  for (const RunTable::Run& run : a.runs) {
-    const auto partner = partners.find(run.key);
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    const auto partner = partners.find(a.runs[i].key);
     if (partner == partners.end()) continue;
-    pairs[run.wind_mps].push_back({&run, partner->second});
-    ++count;
+    pairs[a.runs[i].wind_mps].push_back({&a.runs[i], &b.runs[partner->second]});
+    result.runs.push_back({i, partner->second});
   }
+  const std::size_t count = result.runs.size();
   if (count == 0) {
     throw Error("no run of '" + a.name + "' (" + std::to_string(a.runs.size()) +
                 ") has a partner of '" + b.name + "' (" + std::to_string(b.runs.size()) +

@@ -37,12 +37,19 @@ struct QuantityChange {
   std::optional<double> annual_energy_b_kWh;
 };
 
+/// Two runs in the same wind, by their places in the tables of A and B.
+struct RunPair {
+  std::size_t a = 0;
+  std::size_t b = 0;
+};
+
 struct Comparison {
   std::string a, b;
   double confidence = 0.95;
   std::vector<double> speeds_mps;     // rising
   std::vector<double> share_of_time;  // of each
   std::vector<std::size_t> pairs;     // at each
+  std::vector<RunPair> runs;          // all pairs, in the order of A
   std::vector<QuantityChange> quantities;
   std::size_t unpaired_a = 0;  // runs without a partner
   std::size_t unpaired_b = 0;

@@ -21,30 +21,18 @@ std::string number(double x) {
   return text;
 }
 
-/// "-12.3 ± 2.1 %", in brackets if it is not significant.
-std::string cell_of(const std::optional<Change>& c) {
-  if (!c) return "n/a";
-  const double half = 0.5 * (c->relative_high - c->relative_low);
-  if (!std::isfinite(half)) return format_change(c->relative) + " ?";
-  std::string change = format_change(c->relative);
-  change.erase(change.size() - 2);  // " %"
-  const int decimals = std::abs(c->relative) < 0.01 ? 2 : 1;
-  const std::string text = change + " ± " + format_value(100.0 * half, decimals) + " %";
-  return c->significant ? text : "(" + text + ")";
-}
-
 TextTable table_of(const Comparison& c) {
   std::vector<std::string> header{"wind m/s", "pairs"};
   for (const QuantityChange& q : c.quantities) header.push_back(q.name);
   TextTable table(header);
   for (std::size_t i = 0; i < c.speeds_mps.size(); ++i) {
     std::vector<std::string> cells{number(c.speeds_mps[i]), std::to_string(c.pairs[i])};
-    for (const QuantityChange& q : c.quantities) cells.push_back(cell_of(q.at_speed[i]));
+    for (const QuantityChange& q : c.quantities) cells.push_back(change_text(q.at_speed[i]));
     table.add_row(cells);
   }
   const std::size_t pairs = std::accumulate(c.pairs.begin(), c.pairs.end(), std::size_t{0});
   std::vector<std::string> cells{"life", std::to_string(pairs)};
-  for (const QuantityChange& q : c.quantities) cells.push_back(q.life ? cell_of(q.life) : "-");
+  for (const QuantityChange& q : c.quantities) cells.push_back(q.life ? change_text(q.life) : "-");
   table.add_row(cells);
   return table;
 }
@@ -86,38 +74,52 @@ std::string words_of_life(const QuantityChange& q) {
   return text;
 }
 
-std::string notes(const Comparison& c, const WindDistribution& wind) {
+}  // namespace
+
+std::string change_text(const std::optional<Change>& c) {
+  if (!c) return "n/a";
+  const double half = 0.5 * (c->relative_high - c->relative_low);
+  if (!std::isfinite(half)) return format_change(c->relative) + " ?";
+  std::string change = format_change(c->relative);
+  change.erase(change.size() - 2);  // " %"
+  const int decimals = std::abs(c->relative) < 0.01 ? 2 : 1;
+  const std::string text = change + " ± " + format_value(100.0 * half, decimals) + " %";
+  return c->significant ? text : "(" + text + ")";
+}
+
+std::vector<std::string> comparison_notes(const Comparison& c, const WindDistribution& wind) {
   std::size_t made = 0;
   for (const QuantityChange& q : c.quantities) {
     for (const auto& at : q.at_speed) made += at && std::isfinite(at->relative_low) ? 1 : 0;
   }
   const double covered = std::accumulate(c.share_of_time.begin(), c.share_of_time.end(), 0.0);
-  std::string text = "± : " + number(100.0 * c.confidence) + " %" +
-                     " interval of the mean of the paired differences (Student), relative to the "
-                     "mean of A; in brackets: 0 lies inside; ?: one pair, no interval\n";
-  text += "life: time at each speed after Weibull, scale " + format_value(wind.scale_mps, 2) +
+  std::vector<std::string> notes{
+      "± : " + number(100.0 * c.confidence) +
+          " % interval of the mean of the paired differences (Student), relative to the mean of A; "
+          "in brackets: 0 lies inside; ?: one pair, no interval",
+      "life: time at each speed after Weibull, scale " + format_value(wind.scale_mps, 2) +
           " m/s, shape " + number(wind.shape) + "; the bins cover " + percent_text(covered, 2) +
-          " of the time, the rest counts as nothing; loads by their damage (sum p L^m)^(1/m)\n";
-  if (!c.del_text.empty()) text += "DEL: " + c.del_text + '\n';
-  text += "of " + std::to_string(made) + " comparisons about " +
-          format_value((1.0 - c.confidence) * static_cast<double>(made), 1) +
-          " would be called significant by chance if nothing differed\n";
+          " of the time, the rest counts as nothing; loads by their damage (sum p L^m)^(1/m)"};
+  if (!c.del_text.empty()) notes.push_back("DEL: " + c.del_text);
+  notes.push_back("of " + std::to_string(made) + " comparisons about " +
+                  format_value((1.0 - c.confidence) * static_cast<double>(made), 1) +
+                  " would be called significant by chance if nothing differed");
   if (c.unpaired_a + c.unpaired_b + c.left_out > 0) {
-    text += "without a partner and not counted: " + std::to_string(c.unpaired_a) + " runs of A, " +
-            std::to_string(c.unpaired_b) +
-            " of B; not done and left out: " + std::to_string(c.left_out) + " rows\n";
+    notes.push_back("without a partner and not counted: " + std::to_string(c.unpaired_a) +
+                    " runs of A, " + std::to_string(c.unpaired_b) +
+                    " of B; not done and left out: " + std::to_string(c.left_out) + " rows");
   }
-  return text;
+  return notes;
 }
-
-}  // namespace
 
 std::string comparison_text(const Comparison& c, const WindDistribution& wind) {
   std::string text =
       "change from A = " + c.a + " to B = " + c.b + "\n\n" + table_of(c).text() + "\n";
   for (const QuantityChange& q : c.quantities)
     text += q.name + " [" + q.unit + "]: " + words_by_speed(c, q) + words_of_life(q) + "\n";
-  return text + "\n" + notes(c, wind);
+  text += "\n";
+  for (const std::string& note : comparison_notes(c, wind)) text += note + "\n";
+  return text;
 }
 
 std::string comparison_csv(const Comparison& c) {

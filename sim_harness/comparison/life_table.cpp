@@ -103,13 +103,18 @@ std::size_t figure_index(const RunTable& runs, const std::string& quantity) {
               did_you_mean(quantity, known));
 }
 
-std::vector<std::string> usual_quantities(const std::vector<const RunTable*>& tables) {
+std::vector<std::string> usual_among(const std::vector<const RunTable*>& tables) {
   std::vector<std::string> names;
   for (const char* name : kUsual) {
     if (std::ranges::all_of(tables,
                             [&](const RunTable* t) { return find_figure(*t, name).has_value(); }))
       names.emplace_back(name);
   }
+  return names;
+}
+
+std::vector<std::string> usual_quantities(const std::vector<const RunTable*>& tables) {
+  std::vector<std::string> names = usual_among(tables);
   if (names.empty())
     throw Error("none of the usual quantities is there; --quantities names columns");
   return names;

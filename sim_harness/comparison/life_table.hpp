@@ -46,8 +46,9 @@ std::string del_text(const RunTable& runs);
 bool is_extreme(const std::string& quantity);
 /// Where a quantity stands among the figures; throws lac::Error with the nearest one.
 std::size_t figure_index(const RunTable& runs, const std::string& quantity);
-/// The quantities that control engineers look at first, those that all tables have. Throws
-/// lac::Error if there is none.
+/// The quantities that control engineers look at first, those that all tables have.
+std::vector<std::string> usual_among(const std::vector<const RunTable*>& tables);
+/// The same; throws lac::Error if there is none.
 std::vector<std::string> usual_quantities(const std::vector<const RunTable*>& tables);
 
 /// For the terminal: a row per wind speed and one for the life, then the conventions.

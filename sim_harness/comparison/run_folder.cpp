@@ -80,6 +80,7 @@ RunTable runs_of_folder(const fs::path& folder, const FigureOptions& figures,
   for (const fs::path& file : time_series_of(folder)) {
     try {
       result.runs.push_back(run_of_file(file, figures, options, result.figures));
+      result.runs.back().row = result.runs.size() - 1;
     } catch (const Error& e) {
       const std::string text = e.what();
       throw Error(text.starts_with(file.string()) ? text : file.string() + ": " + text);

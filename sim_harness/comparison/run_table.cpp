@@ -22,22 +22,6 @@ bool is_figure(const std::string& name) {
   return !unit_in(name).empty();
 }
 
-/// The rows that meet all conditions.
-std::vector<std::size_t> chosen_rows(const CsvTable& table, const RunTableOptions& o) {
-  std::vector<std::size_t> rows(table.rows());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  for (const std::string& condition : o.where) {
-    const std::size_t sign = condition.find('=');
-    if (sign == std::string::npos)
-      throw Error("--where '" + condition + "': expected COLUMN=VALUE");
-    const std::size_t column = table.column(condition.substr(0, sign));
-    const std::string value = condition.substr(sign + 1);
-    std::erase_if(rows, [&](std::size_t row) { return table.text(row, column) != value; });
-    if (rows.empty()) throw Error(table.file().string() + ": no row has " + condition);
-  }
-  return rows;
-}
-
 bool is_done(const CsvTable& table, std::size_t row) {
   const auto status = table.find("status");
   return !status || table.text(row, *status) == "done";
@@ -126,6 +110,25 @@ void require_distinct(const RunTable& runs) {
 
 }  // namespace
 
+std::vector<std::size_t> chosen_rows(const CsvTable& table, const RunTableOptions& o) {
+  std::vector<std::size_t> rows(table.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  for (const std::string& condition : o.where) {
+    const std::size_t sign = condition.find('=');
+    if (sign == std::string::npos)
+      throw Error("--where '" + condition + "': expected COLUMN=VALUE");
+    const std::size_t column = table.column(condition.substr(0, sign));
+    const std::string value = condition.substr(sign + 1);
+    std::erase_if(rows, [&](std::size_t row) { return table.text(row, column) != value; });
+    if (rows.empty()) throw Error(table.file().string() + ": no row has " + condition);
+  }
+  return rows;
+}
+
+bool is_bookkeeping(const std::string& column) {
+  return column == kFileColumn || std::ranges::find(kBookkeeping, column) != kBookkeeping.end();
+}
+
 std::vector<std::string> controllers_in(const CsvTable& table, const RunTableOptions& options) {
   std::vector<std::string> names;
   const auto column = table.find(options.controller_column);
@@ -160,7 +163,7 @@ RunTable runs_of_table(const CsvTable& table, const std::string& controller,
     if (controllers && table.text(row, *controllers) != controller) continue;
     take_del_rule(table, row, result);
     RunTable::Run run{
-        key_of(table, row, keys), wind_speed(table, row, wind, options), {}, table.place(row)};
+        key_of(table, row, keys), wind_speed(table, row, wind, options), {}, table.place(row), row};
     for (const std::size_t c : figure_columns) run.figures.push_back(table.number(row, c));
     result.runs.push_back(std::move(run));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct RunTable {
     double wind_mps = 0.0;
     std::vector<double> figures;  // NaN: none
     std::string place;            // for messages
+    std::size_t row = 0;          // of the table, from 0; of a folder which file
   };
   std::string name;
   std::vector<std::string> figures;  // "TwrBsMyt_del4 [kNm]"
@@ -43,6 +45,12 @@ struct RunTableOptions {
   /// Width of the bins of a wind speed that is a figure (measured); a parameter is taken as it is.
   double bin_mps = 2.0;
 };
+
+/// The rows of a table that meet all conditions (where). Throws lac::Error if there is none.
+std::vector<std::size_t> chosen_rows(const CsvTable& table, const RunTableOptions& options);
+
+/// Columns that say what a row is (case, status, file, what the loads are), not what was flown.
+bool is_bookkeeping(const std::string& column);
 
 /// The values of the controller column, in the order of the table; none if it has no such column.
 std::vector<std::string> controllers_in(const CsvTable& table, const RunTableOptions& options);
