@@ -141,6 +141,7 @@ AnalysisOptions::AnalysisOptions(CLI::App& app)
     : stats_(app.add_subcommand("stats", "Figures of results: means, extremes, loads, energy")),
       life_(app.add_subcommand("life", "A controller at each wind speed and over a life")),
       compare_(app.add_subcommand("compare", "Two controllers on the same winds: what differs")),
+      report_(app.add_subcommand("report", "One page with the results of a campaign")),
       correlate_(app.add_subcommand(
           "correlate", "Wind measured up-wind and a load: correlation, delay, coherence")) {
   stats_->add_option("files", stats_options_.inputs, ".outb, .out, .csv, or folders of them")
@@ -178,6 +179,21 @@ AnalysisOptions::AnalysisOptions(CLI::App& app)
   add_figure_options(*compare_, compare_options_.figures);
   compare_->add_option("--csv", compare_options_.csv, "Table to write");
 
+  report_
+      ->add_option("inputs", report_options_.report.inputs,
+                   "Folder of a campaign, or a table (.csv); several tables: a controller each")
+      ->required();
+  report_->add_option("-o,--output", report_options_.output, "Page to write (beside the table)");
+  report_->add_option("--title", report_options_.report.title, "Of the page (name of the folder)");
+  report_->add_option("--baseline", report_options_.report.baseline,
+                      "Controller that the others are compared with (the first)");
+  add_quantities(*report_, report_options_.report.quantities);
+  report_->add_option("--confidence", report_options_.report.confidence, "Of the intervals")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 0.9999));
+  add_run_options(*report_, report_options_.report.runs);
+  add_life_options(*report_, report_options_.report.wind);
+
   add_correlate_input(*correlate_, correlate_options_.input);
   add_correlate_options(*correlate_, correlate_options_);
 }
@@ -195,6 +211,7 @@ void AnalysisOptions::run(std::ostream& out) const {
     require_table(*compare_, "--against", compare_options_.inputs.back());
     compare_command(compare_options_, out);
   }
+  if (report_->parsed()) report_command(report_options_, out);
   if (correlate_->parsed()) correlate_command(correlate_options_, out);
 }
 
