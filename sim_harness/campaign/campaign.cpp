@@ -17,6 +17,8 @@
 #include "sim_harness/campaign/campaign_plan.hpp"
 #include "sim_harness/campaign/fleet.hpp"
 #include "sim_harness/campaign/result_table.hpp"
+#include "sim_harness/campaign_report/campaign_page.hpp"
+#include "sim_harness/output/page_parts.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
@@ -115,8 +117,29 @@ void fly_orders(const CampaignPlan& plan, std::vector<WindOrder> orders, std::si
       << std::lround(100.0 * busy) << " % of it\n";
 }
 
-/// The table, and what is to be said at the end.
-bool finish(CampaignPlan& plan, std::ostream& out) {
+/// The page, if there is something to compare. What cannot be compared fails no campaign.
+void write_report(const CampaignPlan& plan, const fs::path& table, std::ostream& out) {
+  CampaignReportOptions options;
+  options.inputs = {table};
+  options.title = plan.study.name;
+  try {
+    const CampaignReport report = campaign_report(options);
+    if (report.views.front().comparisons.empty()) {
+      out << "no report: "
+          << (report.notes.empty() ? "one controller, nothing to compare" : report.notes.front())
+          << '\n';
+      return;
+    }
+    const fs::path page = page_beside(table);
+    write_page(page, campaign_page(report));
+    out << "wrote " << page.string() << '\n';
+  } catch (const Error& e) {
+    out << "no report: " << e.what() << '\n';
+  }
+}
+
+/// The table, the page, and what is to be said at the end.
+bool finish(CampaignPlan& plan, bool with_report, std::ostream& out) {
   look_again(plan);
   const fs::path table = plan.study.folder / "results.csv";
   write_result_table(table, plan.study, plan.cases, plan.markers);
@@ -124,6 +147,7 @@ bool finish(CampaignPlan& plan, std::ostream& out) {
   const std::size_t failed = plan.count(CaseState::kFailed);
   out << done << " of " << cases_text(plan.cases.size()) << " done, " << failed << " failed\n"
       << "wrote " << table.string() << '\n';
+  if (with_report && done > 0) write_report(plan, table, out);
   if (done + failed < plan.cases.size()) out << "the same command goes on with the rest\n";
   return done == plan.cases.size();
 }
@@ -150,7 +174,7 @@ bool run_campaign(const CampaignOptions& options, std::ostream& out) {
   }
   write_commands(plan);
   if (!orders.empty()) fly_orders(plan, std::move(orders), cases.size(), jobs, out);
-  return finish(plan, out);
+  return finish(plan, options.report, out);
 }
 
 }  // namespace lac::sim

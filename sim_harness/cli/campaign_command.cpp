@@ -13,6 +13,7 @@ CampaignCommand::CampaignCommand(CLI::App& app)
   command_->add_option("--only", only_, "failed: fly what has failed before, and nothing else")
       ->check(CLI::IsMember({"failed"}));
   command_->add_flag("--list", o.list, "Only show every case with its state");
+  command_->add_flag("!--no-report", o.report, "Leave out the page with the comparison");
   command_->add_flag("--dry-run", o.dry_run, "Only show what would be flown, a command a line");
 }
 
