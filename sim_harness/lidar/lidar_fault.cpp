@@ -14,18 +14,33 @@ void set_all_speeds(LidarMeasurement& m, double speed_mps) {
 
 }  // namespace
 
-LidarFault read_lidar_fault(YamlReader& in) {
+LidarFault read_lidar_fault(YamlReader& in, int beam_count) {
   LidarFault fault;
-  fault.kind = static_cast<LidarFaultKind>(
-      in.choice("kind", {"none", "dead", "nan", "stuck", "frozen", "999"}));
+  fault.kind = static_cast<LidarFaultKind>(in.choice(
+      "kind", {"none", "dead", "nan", "stuck", "frozen", "999", "bias", "missing", "stuck_beam"}));
   fault.start_s = in.number("start_s", fault.start_s, Range::not_negative());
   fault.end_s = in.number("end_s", fault.end_s, Range::not_negative());
   if (fault.end_s <= fault.start_s) in.fail("end_s", "expected a time after start_s");
+  if (fault.kind == LidarFaultKind::kBias) fault.factor = in.number("factor", Range::positive());
+  if (fault.kind == LidarFaultKind::kMissing) {
+    fault.share = in.number("share", Range::between(0.0, 1.0));
+  }
+  if (fault.kind == LidarFaultKind::kStuckBeam) {
+    fault.beam_id = in.integer("beam", Range::between(1, beam_count)) - 1;
+  }
   return fault;
 }
 
-LidarFaultInjector::LidarFaultInjector(const LidarFault& fault, int beam_count)
-    : fault_(fault), last_good_(static_cast<std::size_t>(beam_count)) {}
+LidarFaultInjector::LidarFaultInjector(const LidarFault& fault, int beam_count, std::uint64_t seed)
+    : fault_(fault),
+      random_(seed, LidarStream::kFault),
+      last_good_(static_cast<std::size_t>(beam_count)) {}
+
+void LidarFaultInjector::repeat_speeds(LidarMeasurement& m) {
+  LidarMeasurement& last_good = last_good_[static_cast<std::size_t>(m.beam_id)];
+  if (last_good.gate_count == 0) last_good = m;
+  m.gates = last_good.gates;
+}
 
 bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) {
   if (fault_.kind == LidarFaultKind::kNone || !is_new) return is_new;
@@ -44,8 +59,7 @@ bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) 
       set_all_speeds(m, std::numeric_limits<double>::quiet_NaN());
       break;
     case LidarFaultKind::kStuck:
-      if (last_good.gate_count == 0) last_good = m;
-      m.gates = last_good.gates;
+      repeat_speeds(m);
       break;
     case LidarFaultKind::kFrozen:
       if (last_beam_ < 0) {
@@ -56,6 +70,14 @@ bool LidarFaultInjector::apply(double time_s, LidarMeasurement& m, bool is_new) 
       break;
     case LidarFaultKind::kOutOfRange:
       set_all_speeds(m, 999.0);
+      break;
+    case LidarFaultKind::kBias:
+      for (LidarGate& gate : m.gates) gate.speed_mps *= fault_.factor;
+      break;
+    case LidarFaultKind::kMissing:
+      return !random_.happens(fault_.share);
+    case LidarFaultKind::kStuckBeam:
+      if (m.beam_id == fault_.beam_id) repeat_speeds(m);
       break;
   }
   return true;

@@ -11,7 +11,7 @@ namespace lac::sim {
 
 /// What a lidar draws random numbers for. Each has a sequence of its own, so that switching one
 /// weakness on leaves the others as they were.
-enum class LidarStream : std::uint64_t { kScatter, kDrift, kOutage, kBurst, kNoise };
+enum class LidarStream : std::uint64_t { kScatter, kDrift, kOutage, kBurst, kNoise, kFault };
 
 /// Random numbers of one lidar weakness; the same seed gives the same numbers everywhere.
 class RandomStream {

@@ -138,7 +138,7 @@ CaseLidar read_case_lidar(YamlReader in) {
   }
   if (in.has("fault")) {
     YamlReader fault = in.map("fault");
-    lidar.fault = read_lidar_fault(fault);
+    lidar.fault = read_lidar_fault(fault, static_cast<int>(lidar.params.scan.beams.size()));
     fault.finish();
   }
   in.finish();

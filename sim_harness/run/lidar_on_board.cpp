@@ -29,7 +29,7 @@ LidarOnBoard::LidarOnBoard(const Case& c, const WindField& wind) : step_s_(c.tim
   lidar_.emplace(c.lidar->params, seen,
                  LidarSetting{c.turbine.hub_height_m, c.time.step_s, c.time.duration_s});
   weaknesses_.emplace(weak, weakness_setting(c, lidar_->mounting().rest_pose()));
-  fault_.emplace(c.lidar->fault, static_cast<int>(c.lidar->params.scan.beams.size()));
+  fault_.emplace(c.lidar->fault, static_cast<int>(c.lidar->params.scan.beams.size()), c.seed);
 }
 
 bool LidarOnBoard::measure(std::int64_t step, const TurbineState& turbine) {

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/lidar/lidar_fault.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "support/error_text.hpp"
+#include "support/temp_folder.hpp"
+
 namespace lac::sim {
 namespace {
+
+using testing::HasSubstr;
 
 /// Measurement k of two beams, one a second, speeds 10 k + gate.
 LidarMeasurement measurement(int k) {
@@ -79,6 +85,65 @@ TEST(LidarFaultTest, Frozen) {
   EXPECT_EQ(a.m.gates[0].speed_mps, 90.0);
   EXPECT_EQ(a.m.beam_id, 1);
   EXPECT_EQ(a.m.time_s, 9.0);
+}
+
+// Speeds come multiplied.
+TEST(LidarFaultTest, Bias) {
+  LidarFaultInjector injector({.kind = LidarFaultKind::kBias, .start_s = 10.0, .factor = 1.2}, 2);
+  for (int k = 0; k < 20; ++k) {
+    LidarMeasurement m = measurement(k);
+    ASSERT_TRUE(injector.apply(k, m, true));
+    EXPECT_DOUBLE_EQ(m.gates[1].speed_mps, (k < 10 ? 1.0 : 1.2) * (10.0 * k + 1.0));
+  }
+}
+
+// One beam repeats what it measured last, the other goes on.
+TEST(LidarFaultTest, StuckBeam) {
+  LidarFaultInjector injector(
+      {.kind = LidarFaultKind::kStuckBeam, .start_s = 10.0, .end_s = 20.0, .beam_id = 1}, 2);
+  for (int k = 0; k < 24; ++k) {
+    LidarMeasurement m = measurement(k);
+    ASSERT_TRUE(injector.apply(k, m, true));
+    const bool stuck = k % 2 == 1 && k >= 10 && k < 20;
+    EXPECT_EQ(m.gates[0].speed_mps, stuck ? 90.0 : 10.0 * k) << k;
+  }
+}
+
+// The share that is asked for is lost (four standard deviations of 20000 draws), the rest passes as
+// it is; the same seed loses the same.
+TEST(LidarFaultTest, Missing) {
+  const LidarFault fault{.kind = LidarFaultKind::kMissing, .share = 0.3};
+  LidarFaultInjector injector(fault, 2, 5), same(fault, 2, 5), other(fault, 2, 6);
+  int lost = 0, different = 0;
+  for (int k = 0; k < 20000; ++k) {
+    LidarMeasurement m = measurement(k);
+    const bool arrives = injector.apply(k, m, true);
+    EXPECT_EQ(m.gates[0].speed_mps, 10.0 * k);
+    EXPECT_FALSE(injector.apply(k, m, false));  // nothing new draws nothing
+    lost += arrives ? 0 : 1;
+    ASSERT_EQ(same.apply(k, m, true), arrives);
+    different += other.apply(k, m, true) == arrives ? 0 : 1;
+  }
+  EXPECT_NEAR(lost, 6000, 4 * std::sqrt(20000 * 0.3 * 0.7));
+  EXPECT_GT(different, 1000);
+}
+
+// Keys belong to their kind; a beam that the lidar does not have is refused.
+TEST(LidarFaultTest, Keys) {
+  const test::TempFolder folder;
+  const auto read = [&](const std::string& text) {
+    YamlReader in = YamlReader::load(folder.write("fault.yaml", text));
+    const LidarFault fault = read_lidar_fault(in, 4);
+    in.finish();
+    return fault;
+  };
+  EXPECT_EQ(read("{kind: bias, factor: 0.8}").factor, 0.8);
+  EXPECT_EQ(read("{kind: missing, share: 0.5}").share, 0.5);
+  EXPECT_EQ(read("{kind: stuck_beam, beam: 4}").beam_id, 3);
+  EXPECT_THAT(test::error_text([&] { read("{kind: stuck_beam, beam: 5}"); }), HasSubstr("beam"));
+  EXPECT_THAT(test::error_text([&] { read("{kind: stuck, beam: 1}"); }), HasSubstr("beam"));
+  EXPECT_THAT(test::error_text([&] { read("{kind: bias}"); }), HasSubstr("factor"));
+  EXPECT_THAT(test::error_text([&] { read("{kind: missing, share: 1.5}"); }), HasSubstr("share"));
 }
 
 // A fault from the start of the run: stuck repeats the first measurement of each beam, frozen the
