@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of one controller step at 80 Hz, as the host sees it: the master with its four secondaries
-// and a lidar, the feedback-only chain, and one call of an unmodified ROSCO without its log.
+// and a lidar, the feedback-only chain, ldp by itself with little and with all to do, and one call
+// of an unmodified ROSCO without its log.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -73,6 +74,14 @@ void feedback_only_chain(benchmark::State& state) {
   run(state, caller, false);
 }
 BENCHMARK(feedback_only_chain);
+
+/// One library of the chain; the step of the master is not in it.
+void ldp_alone(benchmark::State& state, const char* input) {
+  test::DisconCaller caller("liblac_ldp", std::string(LAC_SOURCE_DIR "/config/nrel5mw/") + input);
+  run(state, caller, true);
+}
+BENCHMARK_CAPTURE(ldp_alone, average, "ldp.IN");
+BENCHMARK_CAPTURE(ldp_alone, all_of_it, "ldp_wind.IN");
 
 void rosco_alone(benchmark::State& state) {
   const test::RoscoFiles rosco;

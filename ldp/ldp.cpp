@@ -212,17 +212,6 @@ void Ldp::estimate(const Inputs& in, State& state, Outputs& out) const noexcept 
               settled(state);
 }
 
-void Ldp::describe_wind(const Inputs& in, State& state, Outputs& out) const noexcept {
-  reconstruction_.watch(in.time_s, params_.scan_time_s, state.wind);
-  out.wind = state.wind.estimate;
-  if (std::isfinite(out.wind.v_mps)) {
-    out.yaw_error_rad = WindReconstruction::yaw_error_rad(state.wind);
-  }
-  if (std::isfinite(out.wind.w_mps)) {
-    out.inflow_angle_rad = WindReconstruction::inflow_angle_rad(out.wind);
-  }
-}
-
 void Ldp::bridge(const Inputs& in, State& state, Outputs& out) const noexcept {
   if (out.valid) {
     state.held_rews_mps = out.rews_mps;
@@ -246,7 +235,8 @@ Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
   out.availability = state.availability.value();
   out.turbine_sets_travel = turbine_sets_travel(in.time_s, state);
   if (!reconstruction_.active()) return out;
-  describe_wind(in, state, out);
+  reconstruction_.watch(in.time_s, params_.scan_time_s, state.wind);
+  out.wind = state.wind.estimate;
   const bool refused =
       out.wind.reason == WindReason::Partly || out.wind.reason == WindReason::Refused;
   if (refused && !params_.wind.average_if_refused) out.valid = out.bridged = false;

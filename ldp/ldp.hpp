@@ -45,8 +45,6 @@ class Ldp {
     double scan_time_s = 0.0;  // shortest time between two measurements of one beam; 0: unknown
     double availability = std::numeric_limits<double>::quiet_NaN();
     WindReconstruction::Estimate wind;
-    double yaw_error_rad = std::numeric_limits<double>::quiet_NaN();
-    double inflow_angle_rad = std::numeric_limits<double>::quiet_NaN();
     bool bridged = false;  // rews_mps is the last valid one, held
     bool turbine_sets_travel = false;
   };
@@ -107,7 +105,6 @@ class Ldp {
   void update_mean_speed(const LidarMeasurement& m, const Winds& wind_mps,
                          State& state) const noexcept;
   void estimate(const Inputs& in, State& state, Outputs& out) const noexcept;
-  void describe_wind(const Inputs& in, State& state, Outputs& out) const noexcept;
   void bridge(const Inputs& in, State& state, Outputs& out) const noexcept;
 
   LdpParams params_;

@@ -15,10 +15,10 @@ inline void write_lidar_rews(const Ldp::Outputs& out, double window_s, SwapView&
   swap.set(Rec::LidarMeanSpeed, out.mean_speed_mps);
   swap.set(Rec::LidarScanWindow, window_s);
   swap.set(Rec::LidarDataAge, out.data_age_s);
-  swap.set(Rec::LidarYawError, out.yaw_error_rad);
+  swap.set(Rec::LidarYawError, out.wind.yaw_error_rad);
   swap.set(Rec::LidarHorizontalShear, out.wind.du_dy_per_s);
   swap.set(Rec::LidarVerticalShear, out.wind.du_dz_per_s);
-  swap.set(Rec::LidarInflowAngle, out.inflow_angle_rad);
+  swap.set(Rec::LidarInflowAngle, out.wind.inflow_angle_rad);
   swap.set(Rec::LidarReconstruction, static_cast<int>(out.wind.reason));
   swap.set(Rec::LidarAvailability, out.availability);
 }

@@ -73,6 +73,13 @@ Problem reduced(const WindReconstruction::State& s, const Asked& a, double large
   return p;
 }
 
+/// Not a number without what they are made of.
+void set_angles(WindReconstruction::State& s) {
+  WindReconstruction::Estimate& e = s.estimate;
+  e.yaw_error_rad = std::atan2(e.v_mps, e.u_mps) - s.heading_rad;
+  e.inflow_angle_rad = std::atan2(e.w_mps, std::hypot(e.u_mps, known(e.v_mps)));
+}
+
 }  // namespace
 
 WindReconstruction::State WindReconstruction::initial_state() const {
@@ -154,6 +161,7 @@ void WindReconstruction::solve(State& s) const noexcept {
     *out[a.columns[i]] = solution[i] / length_m;
     if (i > 0) ++there;  // u alone needs no model
   }
+  set_angles(s);
   if (there > 0) s.estimate.reason = WindReason::Partly;
   if (there + 1 == a.count && !std::isnan(s.estimate.u_mps)) {
     s.estimate.reason = WindReason::Complete;
@@ -173,14 +181,6 @@ double WindReconstruction::axial_mps(const Sample& s, const Estimate& e) noexcep
   const double there_mps = (s.los_mps + across_mps) / (-n.x * s.induction);
   return there_mps - known(e.du_dy_per_s) * s.from_hub_I_m.y -
          known(e.du_dz_per_s) * s.from_hub_I_m.z;
-}
-
-double WindReconstruction::yaw_error_rad(const State& s) noexcept {
-  return std::atan2(s.estimate.v_mps, s.estimate.u_mps) - s.heading_rad;
-}
-
-double WindReconstruction::inflow_angle_rad(const Estimate& e) noexcept {
-  return std::atan2(e.w_mps, std::hypot(e.u_mps, known(e.v_mps)));
 }
 
 }  // namespace lac

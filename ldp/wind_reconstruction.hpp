@@ -70,9 +70,14 @@ class WindReconstruction {
     double w_mps = std::numeric_limits<double>::quiet_NaN();
     double du_dy_per_s = std::numeric_limits<double>::quiet_NaN();
     double du_dz_per_s = std::numeric_limits<double>::quiet_NaN();
-    double condition = std::numeric_limits<double>::quiet_NaN();  // infinite: singular
+    /// Wind direction minus the direction of the viewing axis: positive if the wind blows to the
+    /// left looking down-wind.
+    double yaw_error_rad = std::numeric_limits<double>::quiet_NaN();
+    double inflow_angle_rad = std::numeric_limits<double>::quiet_NaN();  // upwards positive
+    double condition = std::numeric_limits<double>::quiet_NaN();         // infinite: singular
     void visit(StateArchive& a) {
-      a(reason), a(u_mps), a(v_mps), a(w_mps), a(du_dy_per_s), a(du_dz_per_s), a(condition);
+      a(reason), a(u_mps), a(v_mps), a(w_mps), a(du_dy_per_s), a(du_dz_per_s);
+      a(yaw_error_rad), a(inflow_angle_rad), a(condition);
     }
   };
 
@@ -121,12 +126,6 @@ class WindReconstruction {
   /// u of the rotor axis from one sample, with the slow estimates of everything else; those that
   /// are not known count as 0.
   static double axial_mps(const Sample& s, const Estimate& e) noexcept;
-  /// Wind direction minus the direction of the viewing axis: positive if the wind blows to the
-  /// left looking down-wind. Not a number without u and v.
-  static double yaw_error_rad(const State& state) noexcept;
-  /// Against the horizontal, upwards positive. Not a number without w.
-  static double inflow_angle_rad(const Estimate& e) noexcept;
-
   const WindModelParams& params() const { return params_; }
 
  private:

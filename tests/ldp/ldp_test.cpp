@@ -312,10 +312,10 @@ TEST(Ldp, WindModelStandsInForALostBeam) {
     EXPECT_EQ(out.samples, 9);
     if (model == WindModel::All) {
       EXPECT_NEAR(out.rews_mps, 16.0, 1e-5);
-      EXPECT_NEAR(out.yaw_error_rad, std::atan2(1.2, 16.0), 1e-6);
+      EXPECT_NEAR(out.wind.yaw_error_rad, std::atan2(1.2, 16.0), 1e-6);
     } else {
       EXPECT_GT(std::abs(out.rews_mps - 16.0), 0.2);
-      EXPECT_TRUE(std::isnan(out.yaw_error_rad));
+      EXPECT_TRUE(std::isnan(out.wind.yaw_error_rad));
     }
   }
 }

@@ -80,7 +80,7 @@ TEST(LdpSimulated, FloatingPlatform) {
   EXPECT_NEAR(out.wind.du_dy_per_s, 0.012, 1e-11);
   EXPECT_NEAR(out.wind.du_dz_per_s, 0.03, 1e-11);
   EXPECT_NEAR(out.rews_mps, 10.0, 2e-6);  // of the hub, though the beams look elsewhere
-  EXPECT_NEAR(out.inflow_angle_rad, std::atan2(-0.4, std::hypot(10.0, 1.5)), 1e-9);
+  EXPECT_NEAR(out.wind.inflow_angle_rad, std::atan2(-0.4, std::hypot(10.0, 1.5)), 1e-9);
 
   // The average alone takes shear, v and w for u.
   LidarSim again(lidar_params, wind, {kHub_m, kStep_s, 130.0});
@@ -94,7 +94,7 @@ TEST(LdpSimulated, YawErrorOfATurnedNacelle) {
   p.platform.freedoms[kYaw].mean = rad_from_deg(12.0);
   LidarSim lidar(p, wind, {kHub_m, kStep_s, 40.0});
   const auto out = fly(processing(WindModel::UV, 20.0), lidar, 30.0);
-  EXPECT_NEAR(out.yaw_error_rad, std::atan2(1.0, 10.0) - rad_from_deg(12.0), 1e-9);
+  EXPECT_NEAR(out.wind.yaw_error_rad, std::atan2(1.0, 10.0) - rad_from_deg(12.0), 1e-9);
 }
 
 // The induction zone of the simulation is undone by the same model, with its radial part, and by
@@ -201,7 +201,7 @@ TEST(LdpSimulated, YawErrorAndShearInTurbulence) {
   LidarSim first(four_beams(30.0), wind, setting), second(four_beams(30.0), wind, setting);
   const auto yaw = fly(processing(WindModel::UV, 590.0), first, 600.0);
   const auto shear = fly(processing(WindModel::UShear, 590.0), second, 600.0);
-  EXPECT_NEAR(deg_from_rad(yaw.yaw_error_rad), 10.0, 3.0);
+  EXPECT_NEAR(deg_from_rad(yaw.wind.yaw_error_rad), 10.0, 3.0);
   EXPECT_NEAR(yaw.mean_speed_mps, 16.0 * std::cos(yaw_rad), 0.5);
   EXPECT_NEAR(shear.wind.du_dz_per_s, 0.2 * 16.0 * std::cos(yaw_rad) / kHub_m, 0.015);
   EXPECT_EQ(yaw.wind.reason, WindReason::Complete);

@@ -276,8 +276,8 @@ TEST(WindReconstruction, IsASlowMean) {
   s.v = 2.0;
   fly(100.0 * std::log(2.0));
   EXPECT_NEAR(state.estimate.v_mps, 1.0, 0.03);
-  EXPECT_NEAR(WindReconstruction::yaw_error_rad(state),
-              std::atan2(state.estimate.v_mps, state.estimate.u_mps), 1e-15);
+  EXPECT_NEAR(state.estimate.yaw_error_rad, std::atan2(state.estimate.v_mps, state.estimate.u_mps),
+              1e-15);
   r.watch(t + 9.0, 1.0, state);
   EXPECT_EQ(state.estimate.reason, WindReason::Complete);
   r.watch(t + 11.0, 1.0, state);
