@@ -22,6 +22,10 @@ class FfpModule final : public DisconModule {
     in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
     in.monitor_authority = swap.get(Rec::MonitorAuthority);
     in.monitor_trim_s = swap.get(Rec::MonitorBufferTrim);
+    if (swap.integer(Rec::TurbulenceValid, 0) == 1) {
+      in.turbulence_intensity = swap.get(Rec::TurbulenceIntensity);
+    }
+    if (swap.integer(Rec::PowerLevelValid, 0) == 1) in.power_level = swap.get(Rec::PowerLevel);
     const Ffp::Outputs out = ffp_.step(in, state_);
     report(in, out, notice);
     write_feedforward(out, swap);
@@ -41,7 +45,7 @@ class FfpModule final : public DisconModule {
     } else if (out.reason == FfpReason::BufferTooLong || out.reason == FfpReason::OutsideCurve ||
                (out.reason == FfpReason::NoWind && was_on_)) {
       notice.warn("feedforward off: %s", text_of(out.reason));
-    } else if (out.reason == FfpReason::RateLimited) {
+    } else if (out.reason == FfpReason::RateLimited || out.reason == FfpReason::PitchLimited) {
       notice.warn("feedforward: %s", text_of(out.reason));
     } else if (out.reason == FfpReason::MonitorInvalid && !monitor_told_) {
       notice.warn("feedforward off: %s: %g, %g s", text_of(out.reason), in.monitor_authority,

@@ -99,11 +99,16 @@ void read_feedforward(YamlReader in, DesignCase& d) {
   d.ffp_template = in.existing_file("template");
   InputFile file = InputFile::load(d.ffp_template);
   const FfpParams ffp = FfpParams::read(file);
+  if (ffp.fixed_buffer_s) {
+    file.fail("FixedBuffer", "a template of a design has a computed buffer; take the line out");
+  }
   d.rule = static_cast<CutoffRule>(in.choice("cutoff", 0, {"minus_3_db", "closest_fit"}));
   d.timing.delay_frequency_hz = ffp.delay_frequency_hz;
   d.timing.actuator_frequency_hz = ffp.actuator_frequency_hz;
   d.timing.actuator_damping = ffp.actuator_damping;
   d.timing.buffer_trim_s = ffp.buffer_trim_s;
+  d.timing.filter_order = in.integer("filter_order", 1, {1.0, 2.0});
+  d.timing.trim_lateness = in.flag("trim_lateness", false);
   d.timing.scan_time_s = d.lidar.scan.scan_time_s();
   d.timing.lead_margin_s =
       in.number("lead_margin_s", d.timing.lead_margin_s, Range::not_negative());

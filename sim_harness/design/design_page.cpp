@@ -32,10 +32,10 @@ ReportSpectrum line(const std::string& name, int run, const CorrelationCurve& cu
   return s;
 }
 
-std::vector<double> low_pass_gain(const CorrelationCurve& curve, double cutoff_hz) {
+std::vector<double> low_pass_gain(const CorrelationCurve& curve, const LowPassDesign& filter) {
   std::vector<double> gain;
   for (std::size_t i = 0; i < curve.k1_radpm.size(); ++i)
-    gain.push_back(1.0 / std::hypot(1.0, curve.frequency_hz(i) / cutoff_hz));
+    gain.push_back(gain_of(filter, curve.frequency_hz(i)));
   return gain;
 }
 
@@ -67,7 +67,7 @@ HtmlReport design_page(const DesignResult& r) {
     coherence.series.push_back(line(name, run, curve, curve.coherence()));
     gain.series.push_back(line(name, run, curve, curve.gain()));
     gain.series.push_back(
-        line("low-pass, " + name, kAllRuns, curve, low_pass_gain(curve, p.cutoff_hz)));
+        line("low-pass, " + name, kAllRuns, curve, low_pass_gain(curve, p.low_pass)));
   }
   page.spectra = {coherence, gain};
   using Point = FeedforwardPoint;

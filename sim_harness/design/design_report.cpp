@@ -51,12 +51,23 @@ std::vector<std::string> origin(const DesignResult& r) {
   quadrature.precision(1);
   quadrature << "quadrature: |G_RL| at the cut-off moves by " << std::scientific
              << r.quadrature_error << " with finer steps";
+  std::ostringstream left;
+  left << "left of the variance of the rotor's wind:";
+  for (const FeedforwardPoint& p : r.points) left << ' ' << format_value(100.0 * p.share_left, 1);
+  left << " %, by the best filter there is:";
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    left << ' '
+         << format_value(100.0 * share_left_of_wiener(r.curves.curve(i, r.points[i].first_plane)),
+                         1);
+  }
+  left << " %";
   return {"lac design " + r.design.file.filename().string(),
           "turbulence: " + describe_turbulence(r.design),
           "lidar: " + describe(r.design.lidar),
           "model: " + describe_model(r.design),
           delays.str(),
-          quadrature.str()};
+          quadrature.str(),
+          left.str()};
 }
 
 std::string table_text(const DesignResult& r) {
@@ -92,15 +103,39 @@ bool is_comment(const std::string& line) {
   return first != std::string::npos && (line[first] == '!' || line[first] == '#');
 }
 
-/// Comments with the origin of the numbers, and the two rows.
+/// What the design writes, and with it takes out of the template; lower case.
+std::vector<std::string> designed_keys(const DesignResult& r) {
+  std::vector<std::string> keys{"cutoffwindspeed", "cutofffrequency", "filterorder",
+                                "filterdamping"};
+  if (r.design.timing.trim_lateness) keys.insert(keys.end(), {"buffertrimwindspeed", "buffertrim"});
+  return keys;
+}
+
+/// Comments with the origin of the numbers, and the rows.
 std::string schedule_block(const DesignResult& r) {
   std::string text;
   for (const std::string& line : origin(r)) text += line + "\n";
   std::ostringstream rows;
-  for (const FeedforwardPoint& p : r.points) rows << shortest(p.mean_speed_mps) << ' ';
-  rows << "! CutOffWindSpeed - mean wind speed of the schedule [m/s]\n";
-  for (const FeedforwardPoint& p : r.points) rows << format_value(p.cutoff_hz, 5) << ' ';
-  rows << "! CutOffFrequency - of the first-order low-pass there [Hz]\n";
+  const auto row_of = [&](const char* what, const auto& value) {
+    for (const FeedforwardPoint& p : r.points) rows << value(p) << ' ';
+    rows << what << '\n';
+  };
+  const auto speed = [](const FeedforwardPoint& p) { return shortest(p.mean_speed_mps); };
+  row_of("! CutOffWindSpeed - mean wind speed of the schedule [m/s]", speed);
+  const bool second = r.design.timing.filter_order == 2;
+  row_of(second ? "! CutOffFrequency - natural frequency of the second-order low-pass there [Hz]"
+                : "! CutOffFrequency - of the first-order low-pass there [Hz]",
+         [](const FeedforwardPoint& p) { return format_value(p.low_pass.frequency_hz, 5); });
+  if (second) {
+    rows << "2 ! FilterOrder - of the low-pass [-]\n";
+    row_of("! FilterDamping - its damping there [-]",
+           [](const FeedforwardPoint& p) { return format_value(p.low_pass.damping, 3); });
+  }
+  if (r.design.timing.trim_lateness) {
+    row_of("! BufferTrimWindSpeed - mean wind speed of the trim [m/s]", speed);
+    row_of("! BufferTrim - added to the computed buffer time: the estimate is late [s]",
+           [](const FeedforwardPoint& p) { return format_value(p.trim_s, 3); });
+  }
   return commented(text + table_text(r)) + rows.str();
 }
 
@@ -113,12 +148,13 @@ std::string design_table(const DesignResult& r) {
 }
 
 std::string designed_ffp_input(std::string_view template_text, const DesignResult& r) {
+  const std::vector<std::string> result_keys = designed_keys(r);
   std::vector<std::string> lines;
   std::size_t end_of_block = 0;
   std::istringstream in{std::string(template_text)};
   for (std::string line; std::getline(in, line);) {
     const std::string key = key_of(line);
-    if (key != "cutoffwindspeed" && key != "cutofffrequency") {
+    if (std::ranges::find(result_keys, key) == result_keys.end()) {
       lines.push_back(line);
       continue;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/design/feedforward_design.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -9,6 +10,9 @@
 
 namespace lac::sim {
 namespace {
+
+// A fit leaves this of the lead, as rounded numbers and wind between the points need a little more.
+constexpr double kLeadToSpare_s = 0.1;
 
 std::string how_missed(const CorrelationCurve& curve, CutoffRule rule) {
   const std::vector<double> gain = curve.gain();
@@ -29,6 +33,15 @@ double late_at_s(const CorrelationCurve& curve, double cutoff_hz) {
   return std::lerp(late_s[i - 1], late_s[i], (cutoff_hz - before_hz) / (after_hz - before_hz));
 }
 
+/// Order 2 has what lead the rest leaves to it; without any it is as quick as the curve is long.
+LowPassDesign low_pass(const CorrelationCurve& curve, const FeedforwardPoint& p,
+                       const FeedforwardTiming& t) {
+  if (t.filter_order == 1) return {1, p.cutoff_hz, 0.0};
+  const double left_s =
+      p.lead_s - p.actuator_s - p.half_window_s + p.trim_s - t.lead_margin_s - kLeadToSpare_s;
+  return fit_second_order(curve, t.delay_frequency_hz, std::max(left_s, 0.0));
+}
+
 FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, CutoffRule rule,
                             const FeedforwardTiming& t) {
   FeedforwardPoint p;
@@ -44,24 +57,31 @@ FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, Cu
   }
   p.cutoff_hz = *cutoff;
   p.lead_s = distance_m / curve.mean_speed_mps;
-  p.filter_s = filter_delay_s(p.cutoff_hz, t.delay_frequency_hz);
   p.actuator_s =
       actuator_delay_s(t.actuator_frequency_hz, t.actuator_damping, t.delay_frequency_hz);
   p.half_window_s = 0.5 * t.scan_time_s;
   p.late_s = late_at_s(curve, p.cutoff_hz);
-  p.needed_s = p.filter_s + p.actuator_s + p.half_window_s - t.buffer_trim_s;
+  p.trim_s = t.buffer_trim_s.at(p.mean_speed_mps) - (t.trim_lateness ? p.late_s : 0.0);
+  p.low_pass = low_pass(curve, p, t);
+  p.filter_s = delay_s(p.low_pass, t.delay_frequency_hz);
+  p.share_left = share_left(curve, p.low_pass, t.delay_frequency_hz);
+  p.needed_s = p.filter_s + p.actuator_s + p.half_window_s - p.trim_s;
   return p;
 }
 
 FeedforwardPoint design_at(const CorrelationCurves& curves, std::size_t speed,
                            const LidarVolumes& lidar, CutoffRule rule,
                            const FeedforwardTiming& timing) {
+  std::optional<FeedforwardPoint> best;
   for (std::size_t first = 0; first < lidar.planes.size(); ++first) {
     FeedforwardPoint p =
         point_with(curves.curve(speed, first), lidar.planes[first].distance_m, rule, timing);
     p.first_plane = first;
-    if (p.buffer_s() >= timing.lead_margin_s) return p;
+    if (p.buffer_s() < timing.lead_margin_s) continue;
+    if (timing.filter_order == 1) return p;
+    if (!best || p.share_left < best->share_left) best = p;
   }
+  if (best) return *best;
   FeedforwardPoint p =
       point_with(curves.curve(speed), lidar.planes.front().distance_m, rule, timing);
   p.is_usable = false;

@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/lookup_table.hpp"
 #include "sim_harness/design/figures_of_merit.hpp"
+#include "sim_harness/design/filter_fit.hpp"
 #include "sim_harness/design/lidar_volumes.hpp"
 
 namespace lac::sim {
@@ -20,9 +22,11 @@ struct FeedforwardTiming {
   double delay_frequency_hz = 0.08;
   double actuator_frequency_hz = 1.0;
   double actuator_damping = 0.7;
-  double buffer_trim_s = 0.0;
-  double scan_time_s = 1.0;    // window of the average
+  LookupTable buffer_trim_s{{0.0}, {0.0}};  // over the mean wind speed
+  double scan_time_s = 1.0;                 // window of the average
   double lead_margin_s = 0.1;  // a gate is used if its lead is longer than needed by this
+  int filter_order = 1;        // 1: cut-off by its rule; 2: the fit that leaves least
+  bool trim_lateness = false;  // the buffer also makes up for the lateness of the estimate
 };
 
 /// The feedforward at one mean wind speed. T_buffer = T_lead - T_filter - T_actuator - T_window/2 +
@@ -33,13 +37,16 @@ struct FeedforwardPoint {
   double nearest_gate_m = 0.0;
   bool is_usable = true;  // false: not even the farthest gate leads enough; figures of all gates
   FiguresOfMerit figures;
-  double cutoff_hz = 0.0;
+  double cutoff_hz = 0.0;  // of the gain, by its rule
+  LowPassDesign low_pass;  // order 1: with this cut-off
   double lead_s = 0.0;
   double filter_s = 0.0;
   double actuator_s = 0.0;
   double half_window_s = 0.0;
-  double late_s = 0.0;    // of the estimate itself at the cut-off; FFP does not know of it
-  double needed_s = 0.0;  // filter, actuator and half a window, less the trim
+  double late_s = 0.0;  // of the estimate itself at the cut-off; FFP knows of it by a trim alone
+  double trim_s = 0.0;  // of the template, less the lateness if it is made up for
+  double share_left = 0.0;  // of the wind's variance; of the Wiener filter at least
+  double needed_s = 0.0;    // filter, actuator and half a window, less the trim
   double buffer_s() const { return lead_s - needed_s; }
 };
 

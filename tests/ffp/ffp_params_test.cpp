@@ -59,9 +59,39 @@ TEST(FfpParams, TimeStepTooLong) {
   EXPECT_EQ(refusal("2 ! FadeTime\n", 0.1), "accepted");
   EXPECT_THAT(refusal("", 12.5), testing::HasSubstr("ffp.IN:2: CutOffFrequency: found 0.04 Hz, "
                                                     "expected less than 0.04 Hz"));
+  EXPECT_THAT(refusal("0.1 0.2 ! CutOffTurbulence\n1 2 ! CutOffTurbulenceFactor\n", 6.5),
+              testing::HasSubstr("CutOffFrequency: found 0.08 Hz"));
   EXPECT_THAT(refusal("5 ! DelayFrequency\n", 0.1), testing::HasSubstr("ffp.IN:5: DelayFreq"));
   EXPECT_THAT(refusal("1e-9 ! FadeTime\n", 0.0125),
               testing::HasSubstr("ffp.IN:5: FadeTime: found 1e-09 s, expected at least one step"));
+}
+
+// Keys that others make meaningless are refused, and so is what only looks like a pair.
+TEST(FfpParams, KeysThatContradictEachOther) {
+  const std::string good = kGood;
+  EXPECT_EQ(error_of(good + "2 ! FilterOrder\n0.8 0.7 ! FilterDamping\n"), "no error");
+  EXPECT_THAT(error_of(good + "2 ! FilterOrder\n0.8 ! FilterDamping\n"),
+              testing::HasSubstr("ffp.IN:6: FilterDamping: found 1 values, expected 2"));
+  EXPECT_THAT(error_of(good + "0.8 0.7 ! FilterDamping\n"),
+              testing::HasSubstr("FilterDamping: has no meaning with FilterOrder 1"));
+  EXPECT_THAT(error_of(good + "3 ! FilterOrder\n"), testing::HasSubstr("FilterOrder"));
+  EXPECT_THAT(error_of(good + "1 ! FixedBuffer\n0 ! BufferTrim\n"),
+              testing::HasSubstr("BufferTrim: has no meaning with FixedBuffer"));
+  EXPECT_THAT(error_of(good + "61 ! FixedBuffer\n"), testing::HasSubstr("FixedBuffer"));
+  EXPECT_EQ(error_of(good + "12 20 ! BufferTrimWindSpeed\n-0.5 -0.2 ! BufferTrim\n"), "no error");
+  EXPECT_THAT(error_of(good + "-0.5 -0.2 ! BufferTrim\n"), testing::HasSubstr("BufferTrim"));
+  EXPECT_EQ(error_of(good + "blend ! Entry\n12 15 ! BlendSpeeds\n"), "no error");
+  EXPECT_THAT(error_of(good + "blend ! Entry\n15 12 ! BlendSpeeds\n"),
+              testing::HasSubstr("expected a second speed above the first"));
+  EXPECT_THAT(error_of(good + "blend ! Entry\n12 15 ! BlendSpeeds\n14 ! ThresholdSpeed\n"),
+              testing::HasSubstr("ThresholdSpeed: has no meaning unless Entry is threshold"));
+  EXPECT_THAT(error_of(good + "slope ! Entry\n"), testing::HasSubstr("LargestSlope"));
+  EXPECT_THAT(error_of(good + "1 2 3 ! ReducedStaticPitch\n"),
+              testing::HasSubstr("ReducedPowerLevel"));
+  EXPECT_THAT(error_of(good + "3 2 1 ! ReducedStaticPitch\n0.5 ! ReducedPowerLevel\n"),
+              testing::HasSubstr("value 2 (2"));
+  EXPECT_THAT(error_of(good + "1 2 ! CutOffTurbulenceFactor\n"),
+              testing::HasSubstr("without CutOffTurbulence"));
 }
 
 // A hysteresis that reaches below zero would keep the feedforward on for ever.

@@ -303,6 +303,181 @@ TEST(Ffp, MonitorTrimsTheBufferSlowly) {
   }
 }
 
+// A mean wind that rises from 12 to 24 m/s in five minutes moves cut-off, lead and buffer, none of
+// which is pitch activity of its own: steady wind keeps a rate of zero, and in a ramp the rate
+// stays at the static one, but for what the moving delay adds, 1 - dT/dt.
+TEST(Ffp, RampOfTheMeanWindMakesNoPitchRate) {
+  for (const int order : {1, 2}) {
+    FfpParams p = plain();
+    p.cutoff_hz = LookupTable({12.0, 24.0}, {0.04, 0.08});
+    p.filter_order = order;
+    p.damping = LookupTable({12.0, 24.0}, {0.8, 0.7});
+    p.delay_frequency_hz = 0.08;
+    p.buffer_time_constant_s = 10.0;
+    p.buffer_trim_s = LookupTable({12.0, 24.0}, {-0.6, -0.3});
+    for (const double slope : {0.0, 0.02}) {
+      const Ffp ffp(p, kStep_s);
+      Ffp::State s = ffp.initial_state();
+      double worst = 0.0;
+      for (int i = 0; i < 32000; ++i) {
+        const double t = i * kStep_s;
+        Ffp::Inputs in = wind(16.0 + slope * t);
+        in.mean_speed_mps = 12.0 + std::clamp((t - 60.0) / 25.0, 0.0, 12.0);
+        in.lead_s = 120.0 / in.mean_speed_mps;
+        const auto out = ffp.step(in, s);
+        if (t > 30.0) worst = std::max(worst, std::abs(out.rate_radps - 0.01 * slope));
+      }
+      if (slope == 0.0) {
+        EXPECT_LT(worst, 1e-12) << order;
+      } else {  // 4.6 s of delay become 2.9 s in 300 s, faster at the beginning
+        EXPECT_LT(worst, 0.05 * 0.01 * slope) << order;
+      }
+    }
+  }
+}
+
+// Second order: gain and delay of w0^2/(s^2 + 2 z w0 s + w0^2), the delay made up for by the
+// buffer.
+TEST(Ffp, SecondOrderHasItsGainAndDelay) {
+  FfpParams p = plain();
+  const double f0 = 0.06, z = 0.8, f = 0.04, w = 2.0 * kPi * f;
+  p.filter_order = 2;
+  p.cutoff_hz = LookupTable({16.0}, {f0});
+  p.damping = LookupTable({16.0}, {z});
+  p.delay_frequency_hz = f;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  const double lead_s = 8.0, r = f / f0;
+  const double gain = 1.0 / std::hypot(1.0 - r * r, 2.0 * z * r);
+  const double total_s = lead_s - actuator_delay_s(p.actuator_frequency_hz, 0.7, f) - 0.5;
+  double worst = 0.0;
+  for (int i = 0; i < 16000; ++i) {
+    const double t = i * kStep_s;
+    const auto out = ffp.step(wind(16.0 + std::sin(w * t), lead_s), s);
+    if (t > 100.0)
+      worst =
+          std::max(worst, std::abs(out.buffered_mps - 16.0 - gain * std::sin(w * (t - total_s))));
+  }
+  EXPECT_LT(worst, 2e-5);
+}
+
+// The cut-off follows the turbulence intensity slowly; one that is not known changes nothing.
+TEST(Ffp, TurbulenceMovesTheCutoff) {
+  FfpParams p = plain();
+  p.cutoff_hz = LookupTable({16.0}, {0.05});
+  p.turbulence_factor = LookupTable({0.1, 0.2}, {0.8, 1.2});
+  p.buffer_time_constant_s = 10.0;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  Ffp::Outputs out;
+  const auto fly = [&](int steps, double intensity) {
+    for (int i = 0; i < steps; ++i) {
+      Ffp::Inputs in = wind(16.0, 6.0);
+      in.turbulence_intensity = intensity;
+      const double before = out.cutoff_hz;
+      out = ffp.step(in, s);
+      if (before > 0.0) {
+        EXPECT_LE(std::abs(out.cutoff_hz - before), 2.0e-3 * 0.05);  // not 0.2 of it at once
+      }
+    }
+  };
+  fly(100, std::nan(""));
+  EXPECT_EQ(out.cutoff_hz, 0.05);
+  fly(8000, 0.2);
+  EXPECT_NEAR(out.cutoff_hz, 0.06, 1e-4);
+  fly(8000, std::nan(""));
+  EXPECT_NEAR(out.cutoff_hz, 0.05, 1e-4);
+}
+
+// A buffer tuned by hand is what it is, whatever the lead, and asks for none.
+TEST(Ffp, FixedBufferIgnoresTheLead) {
+  FfpParams p = plain();
+  p.fixed_buffer_s = 1.5;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  for (int i = 0; i < 800; ++i) {
+    const auto out = ffp.step(wind(16.0, i < 400 ? 1.0 : 4.0), s);
+    EXPECT_EQ(out.buffer_time_s, 1.5);
+    EXPECT_EQ(out.lead_needed_s, 0.0);
+  }
+  EXPECT_EQ(s.active > 0.0, true);
+}
+
+// Blend and slope have no switch: the pitch they add depends on the wind alone, so that a gust that
+// comes and goes leaves nothing behind, and its size is the integral of their weights.
+TEST(Ffp, EntryByWeightLeavesNothingBehind) {
+  FfpParams p = plain();
+  p.static_pitch_rad = LookupTable({0.0, 10.0, 12.0, 30.0}, {0.0, 0.0, 0.1, 0.28});
+  p.blend_from_mps = 12.0, p.blend_to_mps = 16.0;
+  p.largest_slope_radpmps = 0.02;
+  for (const EntryRule rule : {EntryRule::Blend, EntryRule::Slope}) {
+    p.entry = rule;
+    const Ffp ffp(p, kStep_s);
+    Ffp::State s = ffp.initial_state();
+    double pitch_rad = 0.0, largest_rad = 0.0, last = 0.0, kick = 0.0;
+    for (int i = 0; i < 16000; ++i) {
+      const double t = i * kStep_s;
+      const auto out = ffp.step(wind(13.0 - 4.0 * std::cos(2.0 * kPi * (t - 20.0) / 80.0)), s);
+      if (t > 20.0 && t <= 100.0 + 2.3) pitch_rad += out.rate_radps * kStep_s;
+      largest_rad = std::max(largest_rad, pitch_rad);
+      if (t > 20.0) kick = std::max(kick, std::abs(out.rate_radps - last));
+      last = out.rate_radps;
+    }
+    // Blend: 0.01 rad/(m/s) times half of 4 m/s and all of 1 m/s; slope: 0.02 over 2 m/s, 0.01
+    // over 5.
+    EXPECT_NEAR(largest_rad, rule == EntryRule::Blend ? 0.03 : 0.09, 0.003);
+    EXPECT_NEAR(pitch_rad, 0.0, 0.003);
+    if (rule == EntryRule::Blend) {
+      EXPECT_LT(kick, 1e-4);
+    }
+  }
+}
+
+// The pitch that is added stays within its limit; what the feedback takes over may be added again.
+TEST(Ffp, LargestPitchLimitsWhatIsAdded) {
+  FfpParams p = plain();
+  p.largest_pitch_rad = 0.01;
+  p.largest_pitch_time_s = 10.0;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  double kept_rad = 0.0;
+  Ffp::Outputs out;
+  for (int i = 0; i < 4000; ++i) {
+    out = ffp.step(wind(16.0 + 0.5 * i * kStep_s), s);  // 0.005 rad/s, 0.05 rad without limit
+    kept_rad += out.rate_radps * kStep_s - kept_rad * kStep_s / 10.0;
+    EXPECT_LE(kept_rad, 0.01 + 1e-12);
+  }
+  EXPECT_EQ(out.reason, FfpReason::PitchLimited);
+  EXPECT_NEAR(out.rate_radps, 0.001, 1e-9);  // what is forgotten
+}
+
+// At a power level between the two curves the rate is that of their mean; a change of the level
+// alone is no pitch of the feedforward.
+TEST(Ffp, PowerLevelMovesBetweenTwoCurves) {
+  FfpParams p = plain();
+  p.reduced_pitch_rad = LookupTable({0.0, 100.0}, {0.5, 2.5});
+  p.reduced_power_level = 0.5;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  Ffp::Outputs out;
+  const auto fly = [&](int from, int to, double level, double slope) {
+    for (int i = from; i < to; ++i) {
+      Ffp::Inputs in = wind(16.0 + slope * i * kStep_s);
+      in.power_level = level;
+      out = ffp.step(in, s);
+    }
+  };
+  fly(0, 1600, 0.75, 0.1);
+  EXPECT_NEAR(out.rate_radps, 0.1 * 0.015, 1e-8);
+  fly(1600, 3200, std::nan(""), 0.1);
+  EXPECT_NEAR(out.rate_radps, 0.1 * 0.01, 1e-9);
+  fly(0, 4000, 1.0, 0.0);
+  for (const double level : {0.9, 0.4, 1.1}) {
+    fly(0, 10, level, 0.0);
+    EXPECT_NEAR(out.rate_radps, 0.0, 1e-12);
+  }
+}
+
 // A saved state continues to the last bit.
 TEST(Ffp, SavedStateContinuesExactly) {
   const Ffp ffp(plain(), kStep_s);

@@ -64,7 +64,7 @@ TEST(FeedforwardDesign, TakesTheCutoffOfTheLowPass) {
 TEST(FeedforwardDesign, MakesUpForEveryDelay) {
   FeedforwardTiming timing;
   timing.scan_time_s = 1.2;
-  timing.buffer_trim_s = 0.3;
+  timing.buffer_trim_s = LookupTable({0.0}, {0.3});
   const FeedforwardPoint p = design({10.0}, CutoffRule::kClosestFit, timing)[0];
   const double cutoff_hz = 0.02 * 10.0 / (2.0 * kPi), w = radps_from_hz(0.08);
   EXPECT_NEAR(p.cutoff_hz, cutoff_hz, 1e-6);
