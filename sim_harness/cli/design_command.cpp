@@ -25,9 +25,9 @@ std::string text_of_file(const fs::path& path) {
 }
 
 /// The template may hold what somebody tuned by hand.
-void require_other_file(const fs::path& path, const fs::path& ffp_template) {
+void require_other_file(const fs::path& path, const fs::path& of_template) {
   std::error_code ignored;
-  if (!fs::equivalent(path, ffp_template, ignored)) return;
+  if (!fs::equivalent(path, of_template, ignored)) return;
   throw Error(path.string() +
               ": is the template of the design and is not written over; give "
               "another folder (--output)");
@@ -38,6 +38,30 @@ void write(const fs::path& path, const std::string& text, std::ostream& out) {
   file.write(text.data(), text.size());
   file.commit();
   out << "wrote " << path.string() << '\n';
+}
+
+void predict(DesignResult& r) {
+  const DesignCase& d = r.design;
+  if (d.designs_pitch_curve) r.pitch_curve = static_pitch_curve(*d.turbine);
+  if (!d.feedback) return;
+  r.closed_loop = predict_closed_loop(
+      d, r.curves, r.points, r.pitch_curve ? r.pitch_curve->pitch_rad : d.ffp.static_pitch_rad);
+}
+
+std::string ffp_input(const DesignResult& r) {
+  const DesignCase& d = r.design;
+  const std::string text = designed_ffp_input(text_of_file(d.ffp_template), r);
+  return r.pitch_curve ? with_pitch_curve(text, *d.turbine, *r.pitch_curve) : text;
+}
+
+void write_inputs(const fs::path& folder, const DesignResult& r, std::ostream& out) {
+  const DesignCase& d = r.design;
+  require_other_file(folder / "ffp.IN", d.ffp_template);
+  if (d.feedback) require_other_file(folder / "feedback.IN", d.feedback->file);
+  write(folder / "ffp.IN", ffp_input(r), out);
+  if (!d.feedback) return;
+  write(folder / "feedback.IN",
+        designed_feedback_input(text_of_file(d.feedback->file), *d.feedback, *d.turbine), out);
 }
 
 }  // namespace
@@ -54,16 +78,24 @@ void design_command(const DesignOptions& o, std::ostream& out) {
     throw Error(design.file.string() + ": |G_RL| at the cut-off moves by " + shortest(error) +
                 " with finer steps; raise quadrature_nodes, or range_points");
   }
-  const DesignResult result{design, lidar, curves, std::move(points), error};
+  DesignResult result{design, lidar, curves, std::move(points), error};
+  predict(result);
   out << design_table(result);
+  if (result.closed_loop) {
+    out << '\n' << closed_loop_table(*result.closed_loop);
+    out << flown_table(*result.closed_loop, design);
+  }
   const fs::path folder = o.output_folder.empty() ? design.output_folder : o.output_folder;
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) throw Error(folder.string() + ": cannot be made: " + failed.message());
-  require_other_file(folder / "ffp.IN", design.ffp_template);
-  write(folder / "ffp.IN", designed_ffp_input(text_of_file(design.ffp_template), result), out);
+  write_inputs(folder, result, out);
   write(folder / "schedule.csv", schedule_csv(result), out);
   write(folder / "curves.csv", curves_csv(result), out);
+  if (result.closed_loop) {
+    write(folder / "closed_loop.csv", closed_loop_csv(*result.closed_loop), out);
+    write(folder / "rotor_speed.csv", rotor_speed_csv(*result.closed_loop), out);
+  }
   write(folder / "design.html", html_report(design_page(result)), out);
 }
 

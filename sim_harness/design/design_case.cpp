@@ -2,13 +2,9 @@
 #include "sim_harness/design/design_case.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "core/units.hpp"
-#include "sim_harness/turbine/turbine_params.hpp"
-#include "sim_harness/wind/iec_wind.hpp"
-#include "sim_harness/wind/stability.hpp"
 
 namespace lac::sim {
 namespace {
@@ -17,56 +13,11 @@ namespace {
 constexpr double kFirstK1R = 0.06;
 constexpr double kLastK1R = 9.5;
 
-Stability stability_of(int choice) {
-  return choice == 0 ? Stability::kNeutral : static_cast<Stability>(choice - 1);
-}
-
-MannParams read_mann_turbulence(YamlReader& in, double hub_height_m, int stability) {
-  MannParams p = stability_mann(stability_of(stability));
-  if (stability == 0) {  // IEC 61400-1; the evolution is that of the neutral class
-    p.lifetime = EddyLifetime::kMann;
-    p.gamma = 3.9;
-    p.length_m = 0.8 * turbulence_scale_m(hub_height_m);
-  }
-  const int lifetime = p.lifetime == EddyLifetime::kMann ? 0 : 1;
-  p.lifetime = static_cast<EddyLifetime>(in.choice("eddy_lifetime", lifetime, {"mann", "guo"}));
-  p.length_m = in.number("length_scale_m", p.length_m, Range::positive());
-  p.gamma = in.number("anisotropy", p.gamma, Range::not_negative());
-  p.evolution_s = in.number("evolution_time_s", p.evolution_s, Range::positive());
-  if (!in.flag("evolution", true)) p.evolution_s = std::numeric_limits<double>::infinity();
-  return p;
-}
-
-KaimalTurbulence read_kaimal_turbulence(YamlReader& in, double hub_height_m, int stability) {
-  KaimalTurbulence t;
-  t.model = stability == 0 ? iec_kaimal(kStabilitySigmaU_mps, hub_height_m)
-                           : stability_kaimal(stability_of(stability), kStabilitySigmaU_mps);
-  t.evolution = stability_evolution(stability_of(stability));
-  t.evolution.decay = in.number("evolution_decay", t.evolution.decay, Range::not_negative());
-  t.evolution.offset_per_m =
-      in.number("evolution_offset_per_m", t.evolution.offset_per_m, Range::not_negative());
-  if (!in.flag("evolution", true)) t.evolution = {};
-  t.lateral = static_cast<LateralCoherence>(
-      in.choice("lateral_coherence", 1, {"independent", "same_as_u"}));
-  return t;
-}
-
-void read_turbulence(YamlReader in, DesignCase& d) {
-  const int kind = in.choice("kind", {"mann", "kaimal"});
-  const int stability = in.choice("stability", 0, {"iec", "unstable", "neutral", "stable"});
-  if (kind == 0) {
-    d.turbulence = read_mann_turbulence(in, d.hub_height_m, stability);
-  } else {
-    d.turbulence = read_kaimal_turbulence(in, d.hub_height_m, stability);
-  }
-  in.finish();
-}
-
 void read_rotor(YamlReader& in, DesignCase& d) {
   if (in.has("turbine")) {
-    const TurbineParams turbine = load_turbine(in.existing_file("turbine"));
-    d.rotor_radius_m = turbine.rotor.radius_m;
-    d.hub_height_m = turbine.hub_height_m;
+    d.turbine = load_turbine(in.existing_file("turbine"));
+    d.rotor_radius_m = d.turbine->rotor.radius_m;
+    d.hub_height_m = d.turbine->hub_height_m;
     return;
   }
   d.rotor_radius_m = in.number("rotor_radius_m", Range::positive());
@@ -98,21 +49,33 @@ void read_model(YamlReader& in, DesignCase& d) {
 void read_feedforward(YamlReader in, DesignCase& d) {
   d.ffp_template = in.existing_file("template");
   InputFile file = InputFile::load(d.ffp_template);
-  const FfpParams ffp = FfpParams::read(file);
-  if (ffp.fixed_buffer_s) {
+  d.ffp = FfpParams::read(file);
+  if (d.ffp.fixed_buffer_s) {
     file.fail("FixedBuffer", "a template of a design has a computed buffer; take the line out");
   }
   d.rule = static_cast<CutoffRule>(in.choice("cutoff", 0, {"minus_3_db", "closest_fit"}));
-  d.timing.delay_frequency_hz = ffp.delay_frequency_hz;
-  d.timing.actuator_frequency_hz = ffp.actuator_frequency_hz;
-  d.timing.actuator_damping = ffp.actuator_damping;
-  d.timing.buffer_trim_s = ffp.buffer_trim_s;
+  d.timing.delay_frequency_hz = d.ffp.delay_frequency_hz;
+  d.timing.actuator_frequency_hz = d.ffp.actuator_frequency_hz;
+  d.timing.actuator_damping = d.ffp.actuator_damping;
+  d.timing.buffer_trim_s = d.ffp.buffer_trim_s;
   d.timing.filter_order = in.integer("filter_order", 1, {1.0, 2.0});
   d.timing.trim_lateness = in.flag("trim_lateness", false);
   d.timing.scan_time_s = d.lidar.scan.scan_time_s();
   d.timing.lead_margin_s =
       in.number("lead_margin_s", d.timing.lead_margin_s, Range::not_negative());
+  d.designs_pitch_curve = in.choice("pitch_curve", 0, {"template", "rotor_table"}) == 1;
+  if (d.designs_pitch_curve && !d.turbine)
+    in.fail("pitch_curve", "found rotor_table, expected a turbine file that names one (turbine)");
   in.finish();
+}
+
+void read_feedback(YamlReader& in, DesignCase& d) {
+  if (!in.has("feedback")) return;
+  if (!d.turbine) in.fail("feedback", "found, expected a turbine file with it (turbine)");
+  d.feedback = read_feedback_design(in.map("feedback"), *d.turbine, d.speeds_mps);
+  if (in.has("flown"))
+    for (YamlReader& runs : in.maps("flown"))
+      d.flown.push_back(read_flown_runs(runs, d.speeds_mps));
 }
 
 std::vector<double> read_speeds(YamlReader& in) {
@@ -122,32 +85,6 @@ std::vector<double> read_speeds(YamlReader& in) {
       in.fail("wind_speeds_mps", "expected speeds that rise");
   return speeds_mps;
 }
-
-struct TurbulenceText {
-  std::ostream& out;
-
-  void operator()(const MannParams& p) const {
-    out << "Mann tensor, L " << p.length_m << " m, Gamma " << p.gamma
-        << (p.lifetime == EddyLifetime::kMann ? "" : " (lifetime of Guo)");
-    if (std::isfinite(p.evolution_s)) {
-      out << ", evolving with " << p.evolution_s << " s";
-    } else {
-      out << ", frozen";
-    }
-  }
-  void operator()(const KaimalTurbulence& t) const {
-    const KaimalModel& m = t.model;
-    out << "Kaimal spectra, L_u " << m.u.length_scale_m << " m, coherence decay "
-        << m.coherence_decay << ", L_c " << m.coherence_length_m << " m, v and w "
-        << (t.lateral == LateralCoherence::kSameAsU ? "as coherent as u" : "independent");
-    if (t.evolution.decay == 0.0) {
-      out << ", frozen";
-    } else {
-      out << ", evolving with a_x " << t.evolution.decay << ", b_x " << t.evolution.offset_per_m
-          << " 1/m";
-    }
-  }
-};
 
 }  // namespace
 
@@ -159,10 +96,11 @@ DesignCase load_design(const std::filesystem::path& file,
   d.name = in.text("name", file.stem().string());
   read_rotor(in, d);
   d.lidar = read_design_lidar(in.map("lidar"));
-  read_turbulence(in.map("turbulence"), d);
+  d.turbulence = read_turbulence(in.map("turbulence"), d.hub_height_m, d.category);
   d.speeds_mps = read_speeds(in);
   read_model(in, d);
   read_feedforward(in.map("feedforward"), d);
+  read_feedback(in, d);
   d.output_folder = std::filesystem::path("results") / d.name;
   in.finish();
   return d;
@@ -173,12 +111,6 @@ std::unique_ptr<CorrelationModel> make_correlation(const DesignCase& d, const Li
     return std::make_unique<MannCorrelation>(*mann, lidar, d.rotor_radius_m, d.quadrature);
   return std::make_unique<KaimalCorrelation>(std::get<KaimalTurbulence>(d.turbulence), lidar,
                                              d.rotor_radius_m);
-}
-
-std::string describe_turbulence(const DesignCase& d) {
-  std::ostringstream out;
-  std::visit(TurbulenceText{out}, d.turbulence);
-  return out.str();
 }
 
 std::string describe_model(const DesignCase& d) {

@@ -4,13 +4,15 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "ffp/ffp_params.hpp"
+#include "sim_harness/design/design_turbulence.hpp"
+#include "sim_harness/design/feedback_design.hpp"
 #include "sim_harness/design/feedforward_design.hpp"
-#include "sim_harness/design/kaimal_correlation.hpp"
+#include "sim_harness/design/flown_rotor_speed.hpp"
 #include "sim_harness/design/mann_correlation.hpp"
 
 namespace lac::sim {
@@ -20,15 +22,21 @@ struct DesignCase {
   std::string name;
   double rotor_radius_m = 0.0;
   double hub_height_m = 0.0;
+  std::optional<TurbineParams> turbine;  // if the file names one
   LidarParams lidar;
   LidarVolumeSettings volumes;
-  std::variant<MannParams, KaimalTurbulence> turbulence;
+  DesignTurbulence turbulence;
   MannQuadrature quadrature;
   std::vector<double> speeds_mps;
   CurveSettings curves;  // its scan time 0 unless scan averaging is asked for
+  TurbulenceCategory category = TurbulenceCategory::kA;  // level of the closed loop's spectra
   std::filesystem::path ffp_template;
+  FfpParams ffp;  // of the template
   CutoffRule rule = CutoffRule::kAtMinus3dB;
-  FeedforwardTiming timing;  // of the template and the lidar
+  FeedforwardTiming timing;          // of the template and the lidar
+  bool designs_pitch_curve = false;  // else that of the template stays
+  std::optional<FeedbackDesign> feedback;
+  std::vector<FlownRuns> flown;
   std::filesystem::path output_folder;
 };
 
@@ -40,8 +48,7 @@ DesignCase load_design(const std::filesystem::path& file,
 std::unique_ptr<CorrelationModel> make_correlation(const DesignCase& design,
                                                    const LidarVolumes& lidar);
 
-/// One line each, for reports.
-std::string describe_turbulence(const DesignCase& design);
+/// One line, for reports.
 std::string describe_model(const DesignCase& design);
 
 }  // namespace lac::sim

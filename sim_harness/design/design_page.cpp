@@ -5,13 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/units.hpp"
 #include "sim_harness/output/text_table.hpp"
 
 namespace lac::sim {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostCurves = 6;    // as many colours as a page has
+constexpr std::size_t kMostCurves = 6;  // as many colours as a page has
+constexpr std::size_t kBinsPerDecade = 12;
 constexpr double kLeastCoherence = 1e-2;  // a logarithmic axis has no room for less
 
 std::vector<std::size_t> shown_speeds(std::size_t count) {
@@ -39,6 +41,46 @@ std::vector<double> low_pass_gain(const CorrelationCurve& curve, const LowPassDe
   return gain;
 }
 
+ReportSpectrum line(const std::string& name, int run, const std::vector<double>& frequency_hz,
+                    std::vector<double> density_radps) {
+  for (double& d : density_radps) d *= rpm_from_radps(1.0) * rpm_from_radps(1.0);
+  return {name, run, frequency_hz, std::move(density_radps)};
+}
+
+void add_flown(const FlownRuns& runs, const std::string& name, int run,
+               ReportSpectrumPanel& panel) {
+  const auto add = [&](const std::string& what, const auto& files) {
+    const Spectrum s = log_binned(flown_rotor_speed(files, runs.run_in_s), kBinsPerDecade);
+    panel.series.push_back(line(what + name, run, s.frequency_hz, s.density));
+  };
+  add("flown, feedback only, ", runs.feedback_only);
+  add("flown, lidar-assisted, ", runs.assisted);
+}
+
+/// Of the shown wind speeds that are above rated.
+ReportSpectrumPanel rotor_speed_panel(const DesignResult& r,
+                                      const std::vector<std::size_t>& shown) {
+  ReportSpectrumPanel panel{
+      "Rotor speed, predicted: lidar-assisted (lines), feedback only and the limit (grey)",
+      "rpm²/Hz",
+      {}};
+  for (std::size_t i = 0; i < r.closed_loop->points.size(); ++i) {
+    const ClosedLoopPoint& point = r.closed_loop->points[i];
+    const auto place = std::ranges::find(shown, point.speed);
+    const std::string name = format_value(point.mean_speed_mps, 1) + " m/s";
+    const int run = place == shown.end() ? kAllRuns : static_cast<int>(place - shown.begin());
+    for (const FlownRuns& runs : r.design.flown)
+      if (runs.mean_speed_mps == point.mean_speed_mps) add_flown(runs, name, run, panel);
+    if (run == kAllRuns) continue;
+    const RotorSpeedPrediction& p = r.closed_loop->predictions[i];
+    const std::vector<double>& f_hz = p.frequency_hz();
+    panel.series.push_back(line("feedback only, " + name, kAllRuns, f_hz, p.feedback_only()));
+    panel.series.push_back(line("limit, " + name, kAllRuns, f_hz, p.least()));
+    panel.series.push_back(line(name, run, f_hz, p.assisted(point.designed)));
+  }
+  return panel;
+}
+
 template <class Value>
 ReportResult row(const DesignResult& r, const std::vector<std::size_t>& shown, std::string name,
                  std::string unit, int decimals, const Value& value) {
@@ -53,7 +95,7 @@ HtmlReport design_page(const DesignResult& r) {
   const std::vector<std::size_t> shown = shown_speeds(r.points.size());
   HtmlReport page;
   page.title = "Feedforward from the correlation of lidar and rotor: " + r.design.name;
-  page.metadata = {{"Turbulence", describe_turbulence(r.design)},
+  page.metadata = {{"Turbulence", describe_turbulence(r.design.turbulence)},
                    {"Lidar", describe(r.design.lidar)},
                    {"Model", describe_model(r.design)}};
   ReportSpectrumPanel coherence{"Squared coherence of lidar and rotor", "-", {}};
@@ -70,6 +112,7 @@ HtmlReport design_page(const DesignResult& r) {
         line("low-pass, " + name, kAllRuns, curve, low_pass_gain(curve, p.low_pass)));
   }
   page.spectra = {coherence, gain};
+  if (r.closed_loop) page.spectra.push_back(rotor_speed_panel(r, shown));
   using Point = FeedforwardPoint;
   page.results = {
       row(r, shown, "Cut-off", "Hz", 4, [](const Point& p) { return p.cutoff_hz; }),

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/design/design_report.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <limits>
 #include <sstream>
 
+#include "sim_harness/design/input_template.hpp"
 #include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/csv_table.hpp"
 
@@ -62,7 +61,7 @@ std::vector<std::string> origin(const DesignResult& r) {
   }
   left << " %";
   return {"lac design " + r.design.file.filename().string(),
-          "turbulence: " + describe_turbulence(r.design),
+          "turbulence: " + describe_turbulence(r.design.turbulence),
           "lidar: " + describe(r.design.lidar),
           "model: " + describe_model(r.design),
           delays.str(),
@@ -74,33 +73,6 @@ std::string table_text(const DesignResult& r) {
   TextTable table(kHeader);
   for (const FeedforwardPoint& p : r.points) table.add_row(row(p, 2.0 * r.design.rotor_radius_m));
   return table.text();
-}
-
-/// "! text" of each line.
-std::string commented(const std::string& text) {
-  std::istringstream in(text);
-  std::string result;
-  for (std::string line; std::getline(in, line);) result += "! " + line + "\n";
-  return result;
-}
-
-/// The key of a line of an input file; empty for comments and blank lines.
-std::string key_of(std::string_view line) {
-  const std::size_t value = line.find_first_not_of(" \t\r");
-  if (value == std::string_view::npos || line[value] == '!' || line[value] == '#') return {};
-  const std::size_t mark = line.find('!');
-  if (mark == std::string_view::npos) return {};
-  std::istringstream rest{std::string(line.substr(mark + 1))};
-  std::string key;
-  rest >> key;
-  std::ranges::transform(key, key.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return key;
-}
-
-bool is_comment(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first != std::string::npos && (line[first] == '!' || line[first] == '#');
 }
 
 /// What the design writes, and with it takes out of the template; lower case.
@@ -148,25 +120,7 @@ std::string design_table(const DesignResult& r) {
 }
 
 std::string designed_ffp_input(std::string_view template_text, const DesignResult& r) {
-  const std::vector<std::string> result_keys = designed_keys(r);
-  std::vector<std::string> lines;
-  std::size_t end_of_block = 0;
-  std::istringstream in{std::string(template_text)};
-  for (std::string line; std::getline(in, line);) {
-    const std::string key = key_of(line);
-    if (std::ranges::find(result_keys, key) == result_keys.end()) {
-      lines.push_back(line);
-      continue;
-    }
-    while (lines.size() > end_of_block && is_comment(lines.back())) lines.pop_back();
-    if (end_of_block > 0) continue;
-    std::istringstream block(schedule_block(r));
-    for (std::string made; std::getline(block, made);) lines.push_back(made);
-    end_of_block = lines.size();
-  }
-  std::string result;
-  for (const std::string& line : lines) result += line + "\n";
-  return result;
+  return with_keys_replaced(template_text, designed_keys(r), schedule_block(r));
 }
 
 std::string schedule_csv(const DesignResult& r) {

@@ -2,11 +2,13 @@
 // What `lac design` says and writes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "sim_harness/design/design_case.hpp"
+#include "sim_harness/design/closed_loop.hpp"
+#include "sim_harness/design/pitch_curve.hpp"
 
 namespace lac::sim {
 
@@ -16,6 +18,8 @@ struct DesignResult {
   CorrelationCurves curves;
   std::vector<FeedforwardPoint> points;
   double quadrature_error = 0.0;
+  std::optional<PitchCurve> pitch_curve = {};  // if the design makes one
+  std::optional<ClosedLoop> closed_loop = {};  // if it knows the feedback controller
 };
 
 /// For the terminal, one row per wind speed.

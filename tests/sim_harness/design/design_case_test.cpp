@@ -39,7 +39,7 @@ TEST(DesignCase, GathersWhatTheFilesSay) {
   EXPECT_EQ(d.timing.scan_time_s, 1.0);
   EXPECT_EQ(d.curves.scan_time_s, 0.0);
   EXPECT_EQ(d.output_folder, std::filesystem::path("results/nrel5mw"));
-  EXPECT_THAT(describe_turbulence(d),
+  EXPECT_THAT(describe_turbulence(d.turbulence),
               AllOf(HasSubstr("L 49 m"), HasSubstr("lifetime of Guo"), HasSubstr("400 s")));
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "feedback/feedback_params.hpp"
 #include "ffp/ffp_params.hpp"
 #include "support/temp_folder.hpp"
 
@@ -36,7 +37,11 @@ TEST(DesignCommand, WritesWhatTheFeedforwardNeeds) {
   const FfpParams ffp = FfpParams::read(file);
   EXPECT_EQ(ffp.cutoff_hz.x(), (std::vector{12.0, 16.0, 20.0, 24.0}));
   EXPECT_NEAR(ffp.cutoff_hz.at(16.0), 0.0490, 0.05 * 0.0490);  // GUO, Mann neutral
-  for (const char* name : {"schedule.csv", "curves.csv", "design.html"})
+  InputFile feedback = InputFile::load(folder.path() / "out/feedback.IN");
+  EXPECT_EQ(FeedbackParams::read(feedback).pitch.gains.proportional_s.x().size(), 4U);
+  EXPECT_THAT(out.str(), HasSubstr("standard deviation of the rotor speed, against feedback only"));
+  for (const char* name :
+       {"schedule.csv", "curves.csv", "closed_loop.csv", "rotor_speed.csv", "design.html"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
