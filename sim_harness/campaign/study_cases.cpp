@@ -83,11 +83,8 @@ StudyCase make_case(const Study& study, const std::vector<std::size_t>& choices)
 }
 
 bool is_excluded(const Study& study, const std::vector<std::size_t>& choices) {
-  return std::ranges::any_of(study.exclusions, [&](const StudyExclusion& exclusion) {
-    return std::ranges::all_of(exclusion.parts, [&](const StudyExclusion::Part& part) {
-      return std::ranges::find(part.choices, choices[part.range]) != part.choices.end();
-    });
-  });
+  return std::ranges::any_of(study.exclusions,
+                             [&](const StudyExclusion& e) { return e.matches(choices); });
 }
 
 /// Counts on to the next combination, the last range fastest; false after the last one.

@@ -97,21 +97,6 @@ void read_named(const StudyNode& node, StudyRange& range) {
   }
 }
 
-StudyRange read_range(const std::string& name, const StudyNode& node) {
-  StudyRange range{name, false, node.line(), {}};
-  const YAML::Node& yaml = node.yaml();
-  if (yaml.IsSequence()) {
-    read_list(node, range);
-  } else if (yaml.IsMap() && std::any_of(yaml.begin(), yaml.end(), [](const auto& entry) {
-               return entry.second.IsScalar();
-             })) {
-    read_interval(node, range);
-  } else {
-    read_named(node, range);
-  }
-  return range;
-}
-
 std::size_t find_range(const Study& study, const std::string& name, const StudyNode& at) {
   std::vector<std::string> names;
   for (const StudyRange& r : study.ranges) names.push_back(r.name);
@@ -132,7 +117,24 @@ std::size_t find_choice(const StudyRange& range, const StudyNode& word) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-StudyExclusion read_exclusion(const Study& study, const StudyNode& node) {
+}  // namespace
+
+StudyRange read_study_range(const std::string& name, const StudyNode& node) {
+  StudyRange range{name, false, node.line(), {}};
+  const YAML::Node& yaml = node.yaml();
+  if (yaml.IsSequence()) {
+    read_list(node, range);
+  } else if (yaml.IsMap() && std::any_of(yaml.begin(), yaml.end(), [](const auto& entry) {
+               return entry.second.IsScalar();
+             })) {
+    read_interval(node, range);
+  } else {
+    read_named(node, range);
+  }
+  return range;
+}
+
+StudyExclusion read_study_selection(const Study& study, const StudyNode& node) {
   StudyExclusion exclusion;
   for (const auto& [name, value] : node.entries("ranges with what to leave out")) {
     StudyExclusion::Part part{find_range(study, name, value), {}};
@@ -148,7 +150,11 @@ StudyExclusion read_exclusion(const Study& study, const StudyNode& node) {
   return exclusion;
 }
 
-}  // namespace
+bool StudyExclusion::matches(const std::vector<std::size_t>& choices) const {
+  return std::ranges::all_of(parts, [&](const Part& part) {
+    return std::ranges::find(part.choices, choices[part.range]) != part.choices.end();
+  });
+}
 
 Study load_study(const fs::path& file) {
   YamlReader in = YamlReader::load(file);
@@ -166,10 +172,10 @@ Study load_study(const fs::path& file) {
   }
   in.map("ranges");  // has to be there
   for (const auto& [name, node] : part("ranges").entries("ranges"))
-    study.ranges.push_back(read_range(name, node));
+    study.ranges.push_back(read_study_range(name, node));
   if (in.has("exclude")) {
     for (const StudyNode& node : part("exclude").items("a list of what to leave out"))
-      study.exclusions.push_back(read_exclusion(study, node));
+      study.exclusions.push_back(read_study_selection(study, node));
   }
   in.finish();
   return study;

@@ -8,6 +8,8 @@
 
 namespace lac::sim {
 
+class StudyNode;
+
 /// One key of the case and its value, as `lac run --set key=value` takes them.
 struct StudySetting {
   std::string key;
@@ -30,13 +32,16 @@ struct StudyRange {
   std::vector<StudyChoice> choices;  // at least one
 };
 
-/// Cases that have one of these choices in every range named here are left out.
+/// Cases that have one of these choices in every range named here: what is left out.
 struct StudyExclusion {
   struct Part {
     std::size_t range;
     std::vector<std::size_t> choices;
   };
   std::vector<Part> parts;
+
+  /// `choices`: one per range of the study.
+  bool matches(const std::vector<std::size_t>& choices) const;
 };
 
 /// A study file: one case and what varies in it.
@@ -54,5 +59,9 @@ struct Study {
 /// Reads a study file; the keys are listed in docs/campaigns.md. Throws lac::Error: file, line,
 /// key, found, expected, hint. Whether the case knows the keys is not looked at here.
 Study load_study(const std::filesystem::path& file);
+
+/// A range, and a selection of cases, in other files that build on a study. Throw lac::Error alike.
+StudyRange read_study_range(const std::string& name, const StudyNode& node);
+StudyExclusion read_study_selection(const Study& study, const StudyNode& node);
 
 }  // namespace lac::sim

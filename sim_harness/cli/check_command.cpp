@@ -7,7 +7,7 @@
 #include "sim_harness/cli/chain_observation.hpp"
 #include "sim_harness/cli/commands.hpp"
 #include "sim_harness/cli/record_map.hpp"
-#include "sim_harness/cli/temporary_folder.hpp"
+#include "sim_harness/config/temporary_folder.hpp"
 #include "sim_harness/host/controller_host.hpp"
 #include "sim_harness/output/text_table.hpp"
 #include "wrapper/chain.hpp"

@@ -12,6 +12,7 @@
 #include "sim_harness/cli/commands.hpp"
 #include "sim_harness/cli/design_command.hpp"
 #include "sim_harness/cli/migrate_command.hpp"
+#include "sim_harness/cli/tune_command.hpp"
 #include "sim_harness/cli/wind_options.hpp"
 
 namespace {
@@ -86,6 +87,7 @@ int run_program(int argc, char** argv) {
   migrate_command->add_flag("--force", migrate.force, "Replace a file that is there already");
 
   lac::sim::CampaignCommand campaign(app);
+  lac::sim::TuneCommand tune(app);
   lac::sim::WindOptions wind(app);
   lac::sim::AnalysisOptions analysis(app);
 
@@ -114,6 +116,7 @@ int run_program(int argc, char** argv) {
   if (trace_command->parsed()) return lac::sim::trace_command(trace_file, std::cout), 0;
   if (migrate_command->parsed()) return lac::sim::migrate_command(migrate, std::cout), 0;
   if (campaign.parsed()) return campaign.run(std::cout);
+  if (tune.parsed()) return tune.run(std::cout);
   if (wind.parsed()) return wind.run(std::cout);
   if (analysis.parsed()) return analysis.run(std::cout), 0;
   if (design_command->parsed()) return lac::sim::design_command(design, std::cout), 0;

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/tuning/tuning_flights.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "core/error.hpp"
+#include "sim_harness/analysis/channel_figures.hpp"
+#include "sim_harness/comparison/life_table.hpp"
+#include "sim_harness/run/flight.hpp"
+#include "sim_harness/tuning/candidate_input.hpp"
+#include "sim_harness/wind/parallel_jobs.hpp"
+
+namespace lac::sim {
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw Error(file.string() + ": cannot be read");
+  return text.str();
+}
+
+const CaseController& controller_of(const Case& c, const std::string& name) {
+  return *std::ranges::find(c.controllers, name, &CaseController::name);
+}
+
+/// What has to be computed of a flight for these targets.
+struct Wanted {
+  explicit Wanted(const std::vector<TuningTarget>& targets) {
+    std::set<std::string> names;
+    std::set<double> exponents{4.0};
+    for (const TuningTarget& t : targets) {
+      names.insert(t.figure.substr(0, t.figure.find('_')));
+      if (is_load(t.figure)) exponents.insert(exponent_of(t.figure));
+    }
+    channels.assign(names.begin(), names.end());
+    options.woehler_exponents.assign(exponents.begin(), exponents.end());
+  }
+  std::vector<std::string> channels;
+  FigureOptions options;
+};
+
+}  // namespace
+
+TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads)
+    : tuning_(tuning), work_(std::move(work)), threads_(threads) {
+  std::map<std::string, std::size_t> made;
+  for (const StudyCase& study_case : tuning.cases) {
+    cases_.push_back(load_case(tuning.base_case, study_case.overrides));
+    const auto [wind, is_new] = made.try_emplace(study_case.wind, winds_.size());
+    if (is_new) winds_.push_back(make_case_wind(cases_.back()));
+    wind_of_.push_back(wind->second);
+  }
+  controller_ = controller_of(cases_.front(), tuning.controller);
+  for (const Case& c : cases_) {
+    if (controller_of(c, tuning.controller).input_file != controller_.input_file)
+      throw Error(tuning.file.string() + ": controller: has another input file in some of the " +
+                  "cases, expected one to tune");
+  }
+  input_file_ = input_of_secondary(controller_.input_file, tuning.secondary);
+  template_text_ = text_of(input_file_);
+}
+
+std::string TuningFlights::input_text(const Point& values) const {
+  std::vector<KeyValue> keys;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    keys.push_back({tuning_.parameters[i].key, shortest(values[i])});
+  return with_values(template_text_, keys);
+}
+
+TuningFlights::Flight TuningFlights::fly_one(std::size_t i, const CaseController& controller,
+                                             const fs::path& output_root) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  Wanted wanted(tuning_.targets);
+  wanted.options.from_s = cases_[i].time.run_in_s;
+  Flight flight{std::vector<double>(tuning_.targets.size(), kNone), {}};
+  try {
+    const CaseWind& wind = winds_[wind_of_[i]];
+    const Recording flown =
+        sim::fly(cases_[i], controller, *wind.field, wind.rotor, output_root, {});
+    const std::vector<NamedFigure> figures =
+        named_figures(channel_figures(flown, wanted.options, wanted.channels), wanted.options);
+    for (std::size_t t = 0; t < flight.figures.size(); ++t)
+      flight.figures[t] =
+          std::ranges::find(figures, tuning_.targets[t].figure, &NamedFigure::name)->value;
+  } catch (const Error& e) {
+    flight.problem = "case " + tuning_.cases[i].name + ": " + e.what();
+  }
+  return flight;
+}
+
+std::vector<double> TuningFlights::figures_over_cases(const std::vector<Flight>& flights) const {
+  std::vector<double> all;
+  for (std::size_t t = 0; t < tuning_.targets.size(); ++t) {
+    std::vector<double> of_cases;
+    for (const std::size_t i : tuning_.targets[t].cases) of_cases.push_back(flights[i].figures[t]);
+    all.push_back(over_cases(tuning_.targets[t].figure, of_cases));
+  }
+  return all;
+}
+
+std::vector<double> TuningFlights::fly_baseline() {
+  std::vector<Flight> flights(cases_.size());
+  for_each_job(static_cast<int>(cases_.size()), threads_, [&] {
+    return [&](int job) {
+      const auto i = static_cast<std::size_t>(job);
+      flights[i] = fly_one(i, controller_of(cases_[i], tuning_.baseline),
+                           work_ / ("baseline-" + std::to_string(i)));
+    };
+  });
+  for (const Flight& f : flights)
+    if (!f.problem.empty()) throw Error(tuning_.baseline + ": " + f.problem);
+  return figures_over_cases(flights);
+}
+
+std::vector<Evaluation> TuningFlights::fly(const std::vector<Point>& points,
+                                           const std::vector<double>& baseline,
+                                           const std::function<void(double)>& progress) {
+  std::vector<fs::path> folders;
+  std::vector<CaseController> controllers(points.size(), controller_);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    folders.push_back(work_ / std::to_string(flown_points_++));
+    controllers[p].input_file =
+        linked_chain(controller_.input_file, input_file_, input_text(points[p]), folders[p]);
+  }
+  std::vector<std::vector<Flight>> flights(points.size(), std::vector<Flight>(cases_.size()));
+  const std::size_t count = points.size() * cases_.size();
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  for_each_job(static_cast<int>(count), threads_, [&] {
+    return [&](int job) {
+      const std::size_t p = static_cast<std::size_t>(job) / cases_.size();
+      const std::size_t i = static_cast<std::size_t>(job) % cases_.size();
+      flights[p][i] = fly_one(i, controllers[p], folders[p] / ("flight-" + std::to_string(i)));
+      const std::scoped_lock lock(one_at_a_time);
+      progress(static_cast<double>(++done) / static_cast<double>(count));
+    };
+  });
+  std::vector<Evaluation> evaluations;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    fs::remove_all(folders[p]);
+    const auto bad =
+        std::ranges::find_if(flights[p], [](const Flight& f) { return !f.problem.empty(); });
+    evaluations.push_back(
+        bad == flights[p].end()
+            ? evaluated(points[p], tuning_.targets, figures_over_cases(flights[p]), baseline)
+            : Evaluation{
+                  .values = points[p], .figures = {}, .changes = {}, .problem = bad->problem});
+  }
+  return evaluations;
+}
+
+}  // namespace lac::sim

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_harness/tuning/tuning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "core/input_file.hpp"
+#include "sim_harness/tables/csv_table.hpp"
+#include "support/error_text.hpp"
+#include "support/temp_folder.hpp"
+
+namespace lac::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_text;
+
+/// A study of steady wind at 14 and 16 m/s, IEA 3.4 MW, feedback alone, twice.
+class Tune : public ::testing::Test {
+ protected:
+  Tune() {
+    folder_.write("case.yaml",
+                  "turbine: " LAC_SOURCE_DIR
+                  "/config/turbines/iea3p4mw/turbine.yaml\n"
+                  "time: {duration_s: 150, run_in_s: 120, step_s: 0.05}\n"
+                  "wind: {kind: steady, speed_mps: 14}\n"
+                  "controllers:\n"
+                  "  - {name: before, input: " LAC_SOURCE_DIR
+                  "/config/iea3p4mw/wrapper_fb.IN}\n"
+                  "  - {name: after, input: " LAC_SOURCE_DIR "/config/iea3p4mw/wrapper_fb.IN}\n");
+    folder_.write("study.yaml",
+                  "case: case.yaml\nranges:\n  wind.speed_mps: [14, 16]\n  shear: {none: {}}\n");
+  }
+
+  fs::path tuning(const std::string& lines) const {
+    return folder_.write("tuning.yaml",
+                         "study: study.yaml\nbaseline: before\ncontroller: after\n"
+                         "secondary: feedback\n" +
+                             lines);
+  }
+  std::string refusal(const std::string& lines) const {
+    return error_text([&] { load_tuning(tuning(lines)); });
+  }
+
+  test::TempFolder folder_;
+};
+
+constexpr char kObjective[] = "maximise: {figure: GenPwr_mean}\n";
+constexpr char kGrid[] = "parameters: {RatedTorque: {from: 27000, to: 31000, step: 1000}}\n";
+
+// In steady wind above rated the power is proportional to the rated torque: the most of it with a
+// torque of at most 5 % more than before is 5 % more, at 1.05 x 28 797.6 Nm = 30 237.5 Nm.
+TEST_F(Tune, FindsTheConditionsBorder) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid +
+                        "conditions:\n"
+                        "  - {figure: GenTq_max, where: {wind.speed_mps: 16}, at_most_percent: 5}\n"
+                        "refinements: 20\n");
+  options.output_folder = folder_.path("results");
+  std::ostringstream out;
+  ASSERT_TRUE(run_tuning(options, out)) << out.str();
+  InputFile tuned = InputFile::load(folder_.path("results/feedback.IN"));
+  EXPECT_NEAR(tuned.number("RatedTorque"), 30237.5, 40.0);
+  EXPECT_LE(tuned.number("RatedTorque"), 30238.0);
+  EXPECT_EQ(tuned.number("MaximumTorque"), 31677.36);
+
+  const CsvTable table(folder_.path("results/evaluations.csv"));
+  ASSERT_GT(table.rows(), 5U);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    EXPECT_NEAR(table.number(i, table.column("GenPwr_mean change")),
+                table.number(i, table.column("RatedTorque")) / 28797.6 - 1.0, 2e-4);
+  }
+}
+
+// A value that the controller refuses is a failed evaluation with its words; the others go on.
+TEST_F(Tune, LivesWithRefusedValues) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) +
+                        "parameters: {RatedTorque: [-1, 28000], FinePitch: [1.2]}\n");
+  options.output_folder = folder_.path("results");
+  std::ostringstream out;
+  EXPECT_TRUE(run_tuning(options, out));
+  EXPECT_NE(out.str().find("1 failed: case"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("RatedTorque: found -1"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("best: RatedTorque 28000, FinePitch 1.2"), std::string::npos);
+}
+
+// Conditions that nothing meets: said, the nearest shown, no input file written. Two runs alike, on
+// one core and on two.
+TEST_F(Tune, NothingMeetsTheConditions) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid +
+                        "conditions: [{figure: GenPwr_mean, at_least_percent: 50}]\n");
+  options.output_folder = folder_.path("results");
+  options.jobs = 1;
+  std::ostringstream out;
+  EXPECT_FALSE(run_tuning(options, out));
+  EXPECT_NE(out.str().find("no parameters meet all conditions; nearest: RatedTorque 31000"),
+            std::string::npos)
+      << out.str();
+  EXPECT_FALSE(fs::exists(folder_.path("results/feedback.IN")));
+  const std::string first = folder_.read("results/evaluations.csv");
+  options.jobs = 2;
+  EXPECT_FALSE(run_tuning(options, out));
+  EXPECT_EQ(folder_.read("results/evaluations.csv"), first);
+}
+
+// The template is never written over.
+TEST_F(Tune, KeepsTheTemplate) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid);
+  options.output_folder = LAC_SOURCE_DIR "/config/iea3p4mw";
+  std::ostringstream out;
+  EXPECT_NE(error_text([&] { run_tuning(options, out); }).find("is not written over"),
+            std::string::npos);
+}
+
+// Faults of the file, with place and hint.
+TEST_F(Tune, Faults) {
+  const std::string grid = kGrid, objective = kObjective;
+  EXPECT_NE(refusal(grid).find("either minimise or maximise"), std::string::npos);
+  EXPECT_NE(refusal(grid + "maximise: {figure: GenPwr_men}\n")
+                .find("tuning.yaml:6: maximise.figure: found 'GenPwr_men'"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal(grid + "maximise: {figure: GenPwr_mean, were: {}}\n").find("did you mean 'where'"),
+      std::string::npos);
+  EXPECT_NE(refusal(grid + "maximise: {figure: GenPwr_mean, where: {wind.speed_mps: 15}}\n")
+                .find("not in the range"),
+            std::string::npos);
+  EXPECT_NE(refusal(grid + objective + "conditions: [{figure: GenPwr_mean}]\n")
+                .find("either at_least_percent or at_most_percent"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("parameters: {RatedTorque: {a: {b: 1}}}\n" + objective).find("expected numbers"),
+      std::string::npos);
+  EXPECT_NE(refusal(grid + objective + "refinement: 4\n").find("did you mean 'refinements'"),
+            std::string::npos);
+  EXPECT_NE(error_text([&] {
+              tuning(grid + objective);
+              std::string text = folder_.read("tuning.yaml");
+              text.replace(text.find("controller: after"), 17, "controller: aftr");
+              load_tuning(folder_.write("tuning.yaml", text));
+            }).find("did you mean 'after'"),
+            std::string::npos);
+}
+
+// All combinations, the last parameter fastest.
+TEST(GridPoints, LastFastest) {
+  EXPECT_EQ(grid_points({{"a", {1, 2}}, {"b", {3, 4}}}),
+            (std::vector<Point>{{1, 3}, {1, 4}, {2, 3}, {2, 4}}));
+}
+
+// The tuning of Schlipf et al. (2020) that is shipped can be flown.
+TEST(ShippedTunings, S20) {
+  const Tuning t = load_tuning(LAC_SOURCE_DIR "/config/tuning/s20.yaml");
+  EXPECT_EQ(t.cases.size(), 12U);
+  EXPECT_EQ(t.targets.front().cases.size(), 6U);
+}
+
+}  // namespace
+}  // namespace lac::sim
