@@ -28,6 +28,11 @@ View view_of(const LidarMeasurement& m, const TiEstimatorParams& p, double yaw_e
   return {beam_I, -beam_W.x};
 }
 
+TiEstimatorParams with_weights(TiEstimatorParams p) {
+  p.gate_weights.resize(static_cast<std::size_t>(p.number_of_gates), 1.0);
+  return p;
+}
+
 /// No two samples in one step.
 SignalIntensityParams paced(SignalIntensityParams p, double time_step_s) {
   p.statistics.scan_time_s = std::max(p.statistics.scan_time_s, time_step_s);
@@ -52,7 +57,7 @@ SignalIntensityParams turbine_params(const TiEstimatorParams& p) {
 }  // namespace
 
 TiEstimator::TiEstimator(TiEstimatorParams params, double time_step_s)
-    : params_(std::move(params)),
+    : params_(with_weights(std::move(params))),
       time_step_s_(time_step_s),
       table_(Correction(params_.correction), params_.beam_dir_L, params_.table_speeds_mps,
              params_.table_yaw_errors_rad),
@@ -126,25 +131,28 @@ void TiEstimator::update_beam(int beam, double time_s, State& state) const noexc
   for (int g = 0; g < params_.number_of_gates; ++g) {
     const SpeedStatistics::Series series = state.window.series(beam, g, time_s);
     if (!series.filled) continue;
-    sums.sum_of_std_mps += series.standard_deviation_mps;
-    sums.sum_of_mean_mps += series.mean_mps;
+    const double weight = params_.gate_weights[static_cast<std::size_t>(g)];
+    sums.sum_of_std_mps += weight * series.standard_deviation_mps;
+    sums.sum_of_mean_mps += weight * series.mean_mps;
+    sums.sum_of_weights += weight;
     ++sums.filled;
   }
   state.beams[static_cast<std::size_t>(beam)] = sums;
 }
 
 void TiEstimator::update_estimate(const Inputs& in, State& state) const noexcept {
-  double mean_mps = 0.0;
+  double mean_mps = 0.0, weights = 0.0;
   int filled = 0;
   for (const State::Beam& beam : state.beams) {
     mean_mps += beam.sum_of_mean_mps;
+    weights += beam.sum_of_weights;
     filled += beam.filled;
   }
   state.intensity = state.mean_speed_mps = state.uncorrected = kNaN;
   state.filled_series = filled;
   if (filled == 0 || !state.window.has_lasted(in.time_s)) return;
 
-  mean_mps = params_.mean_speed_of_ldp ? in.ldp_mean_speed_mps : mean_mps / filled;
+  mean_mps = params_.mean_speed_of_ldp ? in.ldp_mean_speed_mps : mean_mps / weights;
   state.ldp_missing =
       !std::isfinite(mean_mps) || (params_.use_yaw_error && !state.yaw_error_rad.started());
   if (state.ldp_missing) {
@@ -161,8 +169,8 @@ void TiEstimator::update_estimate(const Inputs& in, State& state) const noexcept
     sigma_mps += table_.at(b, place) * state.beams[b].sum_of_std_mps;
     uncorrected_mps += state.beams[b].sum_of_std_mps;
   }
-  state.intensity = sigma_mps / filled / mean_mps;
-  state.uncorrected = uncorrected_mps / filled / mean_mps;
+  state.intensity = sigma_mps / weights / mean_mps;
+  state.uncorrected = uncorrected_mps / weights / mean_mps;
 }
 
 TiEstimator::Estimates TiEstimator::estimates(const Inputs& in, State& state) const noexcept {

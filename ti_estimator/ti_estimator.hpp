@@ -18,7 +18,8 @@ namespace lac {
 ///   u = (v_los - n_I . V_lidar) / (-n_x),   n_x: along the mean wind,
 /// v_los positive towards the lidar. Per beam b and gate, over the last T seconds: mean and sample
 /// standard deviation (SpeedStatistics). With the series that hold enough samples,
-///   TI = mean(c_TI,b |n_x,b| std(u)) / U,   U = mean(mean(u)).
+///   TI = mean(c_TI,b |n_x,b| std(u)) / U,   U = mean(mean(u)),
+/// means by the weights of the gates.
 /// For a beam at rest |n_x| std(u) is std(v_los), S20's quantity; formed from u it is blind to slow
 /// turns of the beam. There is no estimate before T has passed, with no series filled, and for U
 /// or yaw error outside the c_TI table or not known.
@@ -52,11 +53,14 @@ class TiEstimator {
     bool valid() const { return intensity == intensity; }
   };
   struct State {
-    struct Beam {
-      double sum_of_std_mps = 0.0;   // over the filled series
-      double sum_of_mean_mps = 0.0;  // over the filled series
+    struct Beam {  // sums over the filled series, by the weights of their gates
+      double sum_of_std_mps = 0.0;
+      double sum_of_mean_mps = 0.0;
+      double sum_of_weights = 0.0;
       int filled = 0;
-      void visit(StateArchive& a) { a(sum_of_std_mps), a(sum_of_mean_mps), a(filled); }
+      void visit(StateArchive& a) {
+        a(sum_of_std_mps), a(sum_of_mean_mps), a(sum_of_weights), a(filled);
+      }
     };
     SpeedStatistics window;
     std::vector<Beam> beams;

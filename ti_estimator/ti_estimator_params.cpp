@@ -32,6 +32,10 @@ void read_lidar(InputFile& in, TiEstimatorParams& p) {
     p.number_of_gates =
         in.integer("NumberOfGates", p.number_of_gates, Range::between(1, native_lidar::kMaxGates));
   }
+  if (in.has("GateWeights")) {
+    p.gate_weights = in.numbers("GateWeights", static_cast<std::size_t>(p.number_of_gates),
+                                "NumberOfGates", Range::positive());
+  }
   p.scan_time_s = p.reader.read_scan_time(in, Range::between(0.05, 30.0));
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
 }

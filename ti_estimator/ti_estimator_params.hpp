@@ -27,6 +27,7 @@ struct TiEstimatorParams {
   // Gates with statistics of their own; what a measurement has beyond is not used. The Guo layout
   // takes it from GateRanges.
   int number_of_gates = 10;
+  std::vector<double> gate_weights;  // in the means over the gates; empty: 1
   // One full scan: each volume is measured once in it (f_scan = 1/ScanTime).
   double scan_time_s = 1.0;
   // T. S20 compares 600 s and 180 s and schedules the power with 180 s.

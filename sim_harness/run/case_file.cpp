@@ -81,6 +81,8 @@ CaseOutputs read_outputs(YamlReader& in, const std::string& case_name, double du
   out.html = map.flag("html", out.html);
   out.wind = map.flag("wind", out.wind);
   out.intensity = map.flag("intensity", out.intensity);
+  out.intensity_lead_s =
+      map.number("intensity_lead_s", out.intensity_lead_s, Range::between(0.0, duration_s));
   out.wind_window_s = map.number("wind_window_s", out.wind_window_s, Range::positive());
   if (out.wind_window_s > duration_s) {
     map.fail("wind_window_s", "found " + shortest(out.wind_window_s) +

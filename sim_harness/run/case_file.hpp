@@ -43,9 +43,10 @@ struct CaseOutputs {
   bool outb = true;
   bool csv = true;
   bool html = true;
-  bool wind = false;             // what the rotor meets, once for all controllers
-  bool intensity = false;        // with_rotor_intensity() of every flight, and its table
-  double wind_window_s = 600.0;  // of the turbulence intensity; no longer than the case
+  bool wind = false;              // what the rotor meets, once for all controllers
+  bool intensity = false;         // with_rotor_intensity() of every flight, and its table
+  double intensity_lead_s = 0.0;  // an estimate is for so much later
+  double wind_window_s = 600.0;   // of the turbulence intensity; no longer than the case
 };
 
 /// What `lac run` does: one wind, one turbine, several controllers one after the other. The

@@ -79,7 +79,8 @@ IntensityError error_of(const std::string& estimate, std::span<const double> rot
 
 }  // namespace
 
-Recording with_rotor_intensity(const FlownController& flown, const RotorSignals& rotor) {
+Recording with_rotor_intensity(const FlownController& flown, const RotorSignals& rotor,
+                               double lead_s) {
   const Recording& flight = flown.recording;
   const std::vector<Estimate> estimates = estimates_in(flown);
   const Held reference{rotor.intensity, rotor.t_begin_s, rotor.dt_s};
@@ -92,10 +93,10 @@ Recording with_rotor_intensity(const FlownController& flown, const RotorSignals&
   for (std::size_t i = 0; i < flight.rows(); ++i) {
     const double time_s = flight.start_time_s() + static_cast<double>(i) * flight.time_step_s();
     auto next = std::ranges::copy(flight.row(i), row.begin()).out;
-    const double intensity = reference.at(time_s);
-    *next++ = static_cast<float>(intensity);
+    const double later = reference.at(time_s + lead_s);
+    *next++ = static_cast<float>(reference.at(time_s));
     for (const Estimate& e : estimates)
-      *next++ = static_cast<float>(e.intensity.at(time_s) - intensity);
+      *next++ = static_cast<float>(e.intensity.at(time_s) - later);
     result.append(row.data());
   }
   return result;

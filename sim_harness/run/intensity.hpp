@@ -15,9 +15,10 @@ inline constexpr const char* kRotorIntensityChannel = "RtTI";
 
 /// The recording of a flight with TI_R as a channel more, and one more "<record>Err" [-] for each
 /// of the records TurbulenceIntensity, -Uncorrected, -Anemometer, -Turbine in the chain's own
-/// output file: the estimate less TI_R at the same time. Series of another step are held; NaN where
-/// one of the two is unknown.
-Recording with_rotor_intensity(const FlownController& flown, const RotorSignals& rotor);
+/// output file: the estimate less TI_R lead_s later, when the wind that a lidar has seen passes the
+/// rotor. Series of another step are held; NaN where one of the two is unknown.
+Recording with_rotor_intensity(const FlownController& flown, const RotorSignals& rotor,
+                               double lead_s = 0.0);
 
 /// One estimate of one flight over the samples behind the run-in at which it is known.
 struct IntensityError {

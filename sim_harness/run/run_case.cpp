@@ -156,8 +156,11 @@ CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
 
   const Interruption interruption;
   std::optional<RotorSignals> rotor;
-  if (c.outputs.wind || c.outputs.intensity)
-    rotor = rotor_signals(*wind.field, rotor_of(c), c.outputs.wind_window_s);
+  if (c.outputs.wind || c.outputs.intensity) {
+    RotorWindParams until = rotor_of(c);
+    if (c.outputs.intensity) until.t_end_s += c.outputs.intensity_lead_s;
+    rotor = rotor_signals(*wind.field, until, c.outputs.wind_window_s);
+  }
   CaseResult result;
   std::vector<std::string> names;
   for (const CaseController& controller : c.controllers) {
@@ -165,7 +168,8 @@ CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
         fly_with_progress(c, controller, *wind.field, wind.rotor, interruption));
     interruption.check();
     FlownController& flown = result.flights.back();
-    if (c.outputs.intensity) flown.recording = with_rotor_intensity(flown, *rotor);
+    if (c.outputs.intensity)
+      flown.recording = with_rotor_intensity(flown, *rotor, c.outputs.intensity_lead_s);
     write_recording(c, flown, result.files);
     result.figures.push_back(flight_figures(flown.recording, c.time.run_in_s));
     names.push_back(controller.name);

@@ -121,6 +121,7 @@ TEST(TiEstimatorParams, Mistakes) {
   expect("linear ! Detrending - x\nexponential ! Window - x\n", "Detrending", "sliding window");
   expect("phase ! VolumeModel - x\nindependent ! LateralCoherence - x\n", "LateralCoherence",
          "contradicts");
+  expect("1 2 ! GateWeights - x\n", "GateWeights", "NumberOfGates");
   expect("0 ! PowerLevelRate - x\n", "PowerLevelRate", "found");
   expect("true ! UseYawErorr - x\n", "UseYawErorr", "UseYawError");
   expect("ldp ! YawErrorSource - x\n", "YawErrorSource", "without UseYawError");

@@ -420,5 +420,17 @@ TEST(TiEstimator, YawErrorUnknown) {
   EXPECT_TRUE(late.run_until(100.0).valid());
 }
 
+// The gates count by their weights: one in still air next to two in the sine.
+TEST(TiEstimator, GateWeights) {
+  TiEstimatorParams p = params();
+  p.gate_weights = {2.0, 1.0, 1.0};
+  Rig rig(p);
+  rig.tamper = [](LidarMeasurement& m) {
+    m.gates[0].speed_mps = kSpeed_mps * m.beam_dir_L.x;
+    return true;
+  };
+  EXPECT_NEAR(rig.run_until(100.0).intensity / expected_intensity(p), 0.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace lac
