@@ -89,6 +89,18 @@ void add_correlate_input(CLI::App& command, CorrelateInput& o) {
       ->allow_extra_args(false)
       ->required();
   command.add_option("--load", o.load, "What follows them")->required();
+  CLI::Option* inertia =
+      command
+          .add_option("--inertia", o.torque.inertia_kgm2,
+                      "Of the drive train about the slow shaft [kg m^2]: the load is a generator "
+                      "torque, taken to the rotor")
+          ->check(CLI::PositiveNumber);
+  command.add_option("--gear-ratio", o.torque.gear_ratio, "Generator speed over rotor speed")
+      ->check(CLI::PositiveNumber)
+      ->needs(inertia);
+  command.add_option("--rotor-speed", o.torque.rotor_speed, "Channel with it")
+      ->capture_default_str()
+      ->needs(inertia);
   command.add_option("--power", o.power, "Tells the mode")->capture_default_str();
   command.add_option("--pitch", o.pitch, "Tells the mode")->capture_default_str();
   command.add_option("--from", o.from_s, "Leave out what is before this time [s]");

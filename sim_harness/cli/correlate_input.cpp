@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "core/units.hpp"
 #include "sim_harness/output/text_table.hpp"
 #include "sim_harness/tables/time_series.hpp"
 
@@ -14,6 +15,7 @@ namespace lac::sim {
 namespace {
 
 constexpr double kRounding = 1e-6;  // of a sample
+constexpr double kKilo = 1e-3;
 
 class Sources {
  public:
@@ -65,6 +67,13 @@ class Sources {
     }
     return block_means(series, static_cast<std::size_t>(whole));
   }
+  void require_unit(const std::string& channel, const std::string& expected) const {
+    for (const TableChannel& c : holder_of(channel).channels()) {
+      if (c.name == channel && c.unit != expected)
+        throw Error("correlate: '" + channel + "' is in [" + c.unit + "], expected [" + expected +
+                    "] with --inertia");
+    }
+  }
   std::vector<double> ready(const std::string& channel) const {
     return at_common_rate(channel, column(channel));
   }
@@ -75,6 +84,31 @@ class Sources {
   double start_s_ = -std::numeric_limits<double>::infinity();
   double end_s_ = std::numeric_limits<double>::infinity();
 };
+
+/// Per second, by central differences; at the ends by the one step there is.
+std::vector<double> rate_of(const std::vector<double>& x, double step_s) {
+  std::vector<double> rate(x.size(), 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, x.size() - 1);
+    if (after > before)
+      rate[i] = (x[after] - x[before]) / (step_s * static_cast<double>(after - before));
+  }
+  return rate;
+}
+
+std::vector<double> load_of(const Sources& sources, const CorrelateInput& input) {
+  std::vector<double> load = sources.ready(input.load);
+  const TorqueAtRotor& t = input.torque;
+  if (t.inertia_kgm2 == 0.0) return load;
+  sources.require_unit(input.load, "kNm");
+  sources.require_unit(t.rotor_speed, "rpm");
+  const std::vector<double> rate_rpmps = sources.at_common_rate(
+      t.rotor_speed, rate_of(sources.column(t.rotor_speed), sources.step_s(t.rotor_speed)));
+  load.resize(std::min(load.size(), rate_rpmps.size()));
+  for (std::size_t i = 0; i < load.size(); ++i)
+    load[i] = t.gear_ratio * load[i] + kKilo * t.inertia_kgm2 * radps_from_rpm(rate_rpmps[i]);
+  return load;
+}
 
 void cut_to_shortest(InflowSeries& s) {
   const std::size_t n = std::min({s.wind.size(), s.load.size(), s.power.size(), s.pitch.size()});
@@ -88,7 +122,7 @@ CorrelatedSeries read_correlated(const CorrelateInput& input) {
   InflowSeries common;
   common.start_s = sources.start_s();
   common.time_step_s = 1.0 / input.rate_hz;
-  common.load = sources.ready(input.load);
+  common.load = load_of(sources, input);
   common.power = sources.ready(input.power);
   common.pitch = sources.ready(input.pitch);
   CorrelatedSeries result;

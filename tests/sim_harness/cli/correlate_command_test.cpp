@@ -99,6 +99,32 @@ TEST_F(CorrelateCommandTest, Spectra) {
   EXPECT_GT(at("coherence_low"), 0.98);
 }
 
+// A generator torque taken to the rotor: ratio times it and inertia times what the rotor gains,
+// 0.06 rpm/s from 500 s on. Other units are refused.
+TEST_F(CorrelateCommandTest, TorqueAtTheRotor) {
+  const auto write = [&](const char* unit) {
+    Recording rotor({{"GenTq", unit}, {"RotSpeed", "rpm"}}, 10.0, 0.05, 19000);
+    for (int i = 0; i < 19000; ++i) {
+      const double t_s = 10.0 + 0.05 * i;
+      const float row[] = {40.0F, static_cast<float>(10.0 + 0.06 * std::max(0.0, t_s - 500.0))};
+      rotor.append(row);
+    }
+    rotor.write(folder_.file("rotor.outb"));
+  };
+  write("kNm");
+  options_.input.files.push_back(folder_.path("rotor.outb"));
+  options_.input.load = "GenTq";
+  options_.input.torque = {4e7, 97.0, "RotSpeed"};
+  const std::vector<double> load = read_correlated(options_.input).of_wind[0].load;
+  ASSERT_EQ(load.size(), 3800U);
+  EXPECT_DOUBLE_EQ(load[100], 97.0 * 40.0);
+  EXPECT_NEAR(load[3000], 97.0 * 40.0 + 4e4 * 0.06 * 2.0 * std::acos(-1.0) / 60.0, 2.0);
+  EXPECT_NEAR(load[3799], load[3000], 2.0);
+  write("Nm");
+  EXPECT_THAT(test::error_text([&] { read_correlated(options_.input); }),
+              HasSubstr("'GenTq' is in [Nm], expected [kNm] with --inertia"));
+}
+
 // What does not fit together is said.
 TEST_F(CorrelateCommandTest, Faults) {
   options_.ranges_m = {50.0, 110.0};
