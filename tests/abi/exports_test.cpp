@@ -89,7 +89,7 @@ TEST_P(Library, NeedsTheRuntimeOnly) {
 
 INSTANTIATE_TEST_SUITE_P(Built, Library,
                          testing::Values("wrapper", "ldp", "ti_estimator", "ffp", "feedback",
-                                         "bridge"),
+                                         "bridge", "monitor"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

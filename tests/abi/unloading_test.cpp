@@ -49,7 +49,7 @@ TEST_P(Library, LivesInAnyFolder) {
 
 INSTANTIATE_TEST_SUITE_P(Built, Library,
                          testing::Values("wrapper", "ldp", "ti_estimator", "ffp", "feedback",
-                                         "bridge"),
+                                         "bridge", "monitor"),
                          [](const auto& test) { return std::string(test.param); });
 
 // More often than a process has thread-local slots (Windows: 1088), with an exception each time;

@@ -36,6 +36,8 @@ class ChainInputs {
         122.91 * (1.0 + 0.02 * std::sin(rate_radps_ * time_s + 1.0) + 0.002 * noise);
     swap.set(Rec::GeneratorSpeed, speed_radps);
     swap.set(Rec::RotorSpeed, speed_radps / 97.0);
+    swap.set(Rec::GeneratorTorque, 43093.55 * 122.91 / speed_radps);
+    swap.set(Rec::GeneratorContactor, 1.0);
     swap.set(Rec::HubWindSpeed, wind_mps(time_s) + noise);
     for (const Rec r : {Rec::PitchBlade1, Rec::PitchBlade2, Rec::PitchBlade3}) {
       swap.set(r, 0.22 + 0.03 * std::sin(rate_radps_ * time_s));

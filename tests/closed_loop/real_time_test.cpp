@@ -42,16 +42,17 @@ class RealTime : public testing::TestWithParam<const char*> {
     ASSERT_EQ(failures, 0) << host.message();
   }
 
-  /// wrapper_lac.IN without output file.
+  /// wrapper_monitor.IN without output file.
   std::string chain() const {
     const std::string shipped = LAC_SOURCE_DIR "/config/nrel5mw/";
     const std::string ldp = folder.write("ldp.IN", folder.read(shipped + "ldp.IN") + GetParam());
-    return folder.write("chain.IN",
-                        "ldp liblac_ldp " + ldp + " ! Secondary_1 -\n" +
-                            "ti_estimator liblac_ti_estimator " + shipped +
-                            "ti_estimator.IN ! Secondary_2 -\n" + "ffp liblac_ffp " + shipped +
-                            "ffp.IN ! Secondary_3 -\n" + "feedback liblac_feedback " + shipped +
-                            "feedback_lac.IN ! Secondary_4 -\n" + "native ! LidarLayout -\n");
+    return folder.write(
+        "chain.IN", "ldp liblac_ldp " + ldp + " ! Secondary_1 -\n" +
+                        "ti_estimator liblac_ti_estimator " + shipped +
+                        "ti_estimator.IN ! Secondary_2 -\n" + "monitor liblac_monitor " + shipped +
+                        "monitor.IN ! Secondary_3 -\n" + "ffp liblac_ffp " + shipped +
+                        "ffp_monitor.IN ! Secondary_4 -\n" + "feedback liblac_feedback " + shipped +
+                        "feedback_lac.IN ! Secondary_5 -\n" + "native ! LidarLayout -\n");
   }
 
   void run(int status, bool measured_good = true) {
@@ -107,7 +108,7 @@ TEST_P(RealTime, GuardsSeeTheLibraries) {
   const auto locks = locks_of_thread;
   ASSERT_EQ(other.call(0), 0) << other.message();
   EXPECT_GT(guard.allocations(), 100U);
-  EXPECT_GT(locks_of_thread, locks + 4);  // five libraries enter an instance each
+  EXPECT_GT(locks_of_thread, locks + 5);  // six libraries enter an instance each
 }
 #endif
 

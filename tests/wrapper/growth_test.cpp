@@ -14,14 +14,14 @@ class Growth : public ChainTest {
     const std::string config = std::string(LAC_SOURCE_DIR) + "/config/nrel5mw/";
     std::string text;
     int n = 0;
-    for (const std::string name : {"ldp", "ti_estimator", "ffp", "feedback_lac"}) {
+    for (const std::string name : {"ldp", "ti_estimator", "monitor", "ffp", "feedback_lac"}) {
       const std::string library = name.substr(0, name.find("_lac"));
       text += name + " " + built_library(library) + " " + config + name + ".IN ! Secondary_" +
               std::to_string(++n) + " -\n";
     }
     folder.write("e.txt", "");
     return folder.write("all.IN", text + "static " + toy("toy_static") +
-                                      " e.txt ! Secondary_5 -\n" +
+                                      " e.txt ! Secondary_6 -\n" +
                                       "native ! LidarLayout -\ncsv ! OutputFormat -\n" +
                                       "TorqueDemand LidarRews ! OutputChannels -\n");
   }
