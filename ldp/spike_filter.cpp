@@ -29,7 +29,7 @@ class Few {
   }
 
  private:
-  std::array<double, SpikeFilter::kPast + 2 * SpikeFilter::kBeside> values_{};
+  std::array<double, 2 * SpikeFilter::kPast> values_{};
   std::size_t count_ = 0;
 };
 
@@ -51,32 +51,28 @@ SpikeFilter::State SpikeFilter::initial_state() const {
   return s;
 }
 
-bool SpikeFilter::is_spike(std::span<const double> wind_mps, std::size_t gate,
-                           const Past& past) const noexcept {
+bool SpikeFilter::is_spike(double wind_mps, std::size_t gate, std::size_t gates,
+                           const State& state) const noexcept {
   Few around;
-  for (const double v : past) around.add(v);
-  const std::size_t first = gate > kBeside ? gate - kBeside : 0;
-  const std::size_t last = std::min(gate + kBeside, wind_mps.size() - 1);
-  for (std::size_t g = first; g <= last; ++g) {
-    if (g != gate) around.add(wind_mps[g]);
+  for (const double v : state.past[gate]) around.add(v);
+  if (gate + kBehind < gates) {
+    for (const double v : state.past[gate + kBehind]) around.add(v);
   }
   if (around.count() < kFewest) return false;
   const double median_mps = around.median();
   const double deviation_mps =
       std::max(kPerDeviation * around.distances_from(median_mps).median(), params_.floor_mps);
-  return std::abs(wind_mps[gate] - median_mps) > params_.limit * deviation_mps;
+  return std::abs(wind_mps - median_mps) > params_.limit * deviation_mps;
 }
 
 int SpikeFilter::clean(std::span<double> wind_mps, State& state) const noexcept {
-  std::array<bool, native_lidar::kMaxGates> spike{};
   int found = 0;
   for (std::size_t g = 0; g < wind_mps.size(); ++g) {
-    spike[g] = !std::isnan(wind_mps[g]) && is_spike(wind_mps, g, state.past[g]);
-    found += spike[g] ? 1 : 0;
-  }
-  for (std::size_t g = 0; g < wind_mps.size(); ++g) {
+    const bool spike = !std::isnan(wind_mps[g]) && is_spike(wind_mps[g], g, wind_mps.size(), state);
     state.past[g][state.next] = wind_mps[g];
-    if (spike[g]) wind_mps[g] = kNone;
+    if (!spike) continue;
+    wind_mps[g] = kNone;
+    ++found;
   }
   state.next = (state.next + 1) % kPast;
   return found;

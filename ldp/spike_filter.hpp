@@ -19,17 +19,19 @@ struct SpikeFilterParams {
   static SpikeFilterParams read(InputFile& in);
 };
 
-/// Test against outliers after Hampel: a sample is a spike if it is farther from the median of its
-/// neighbours than  limit x max(1.4826 MAD, floor).  Neighbours are up to two gates on either side
-/// in the same measurement, and the last four measurements of the same gate, of whatever beam.
-/// Fewer than four neighbours: no test. What is found stays among the neighbours of later samples,
-/// so that a real change is believed after three measurements at the latest; a change that passes
-/// the gates with the wind, or rises over more than a measurement, never is a spike: on a straight
-/// ramp the last value is 2.5 measurements ahead of the median, 1.7 robust standard deviations.
+/// Test against outliers after Hampel: a sample is a spike if it is farther than
+/// limit x max(1.4826 MAD, floor)  from the median of its neighbours: the last four measurements,
+/// of whatever beam, of the same gate and of the second one behind it, which a gust has passed a
+/// little before. Fewer than four of them: no test. The gates beside it in the same measurement
+/// have no vote: a hard target fills as many of them as the pulse is long. Spikes stay among the
+/// neighbours of later samples, so that a change that lasts is believed after four measurements;
+/// one that rises over some of them never is a spike: on a straight ramp the next value is 2.5
+/// measurements ahead of the median of one gate, 1.7 robust standard deviations. A target that
+/// fills a gate in half of all measurements cannot be told from the wind.
 class SpikeFilter {
  public:
   static constexpr std::size_t kPast = 4;
-  static constexpr std::size_t kBeside = 2;  // gates on either side
+  static constexpr std::size_t kBehind = 2;  // gates
   static constexpr std::size_t kFewest = 4;
   using Past = std::array<double, kPast>;
 
@@ -49,8 +51,8 @@ class SpikeFilter {
   int clean(std::span<double> wind_mps, State& state) const noexcept;
 
  private:
-  bool is_spike(std::span<const double> wind_mps, std::size_t gate,
-                const Past& past) const noexcept;
+  bool is_spike(double wind_mps, std::size_t gate, std::size_t gates,
+                const State& state) const noexcept;
 
   SpikeFilterParams params_;
 };

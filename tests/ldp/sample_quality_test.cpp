@@ -39,43 +39,51 @@ double gust_mps(double t) {
                     (1.0 - std::cos(2.0 * kPi * t / kDuration_s));
 }
 
-// A gust of the standard passes whole, seen by ten gates or by one.
+// A gust of the standard passes whole; a lidar that measures but once or twice a second loses a few
+// of its samples, one with a single gate up to 6 %.
 TEST(SpikeFilter, GustPasses) {
-  for (const int gates : {10, 1}) {
-    Gates lidar(gates);
-    int found = 0;
-    for (double t = -10.0; t < 20.0; t += kMeasurement_s) {
-      found += lidar.measure([](double s, std::size_t) { return gust_mps(s); }, t);
+  const auto gust = [](double s, std::size_t) { return gust_mps(s); };
+  for (const int gates : {1, 10}) {
+    for (const double interval_s : {0.25, 0.5, 1.0}) {
+      int found = 0, all = 0;
+      for (double from_s = 0.0; from_s < interval_s; from_s += 0.1) {
+        Gates lidar(gates);
+        for (double t = -15.0 + from_s; t < 12.0; t += interval_s, all += gates) {
+          found += lidar.measure(gust, t);
+        }
+      }
+      const double share = interval_s < 0.3 ? 0.0 : gates == 1 ? 0.06 : 0.02;
+      EXPECT_LE(found, share * all) << gates << " gates, " << interval_s;
     }
-    EXPECT_EQ(found, 0) << gates << " gates";
   }
 }
 
-// A hard target in two of ten gates is found in every one of its samples, and nothing beside it.
+// A hard target that one of four beams always sees, in seven of ten gates, is found in every
+// sample, and nothing beside it.
 TEST(SpikeFilter, HardTargetIsFound) {
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0.0, 0.3);
   Gates lidar(10);
   int found = 0, wrong = 0;
   for (int k = 0; k < 400; ++k) {
-    const bool target = k > 10 && k % 7 == 0;
+    const bool target = k > 10 && k % 4 == 0;
     found += lidar.measure(
         [&](double s, std::size_t g) {
-          const bool hit = target && (g == 4 || g == 5);
+          const bool hit = target && g > 1 && g < 9;
           return hit ? 0.0 : 18.0 + 2.0 * std::sin(0.5 * s) + noise(random);
         },
         k * kMeasurement_s);
     for (std::size_t g = 0; g < 10; ++g) {
-      const bool hit = target && (g == 4 || g == 5);
+      const bool hit = target && g > 1 && g < 9;
       wrong += std::isnan(lidar.wind[g]) != hit ? 1 : 0;
     }
   }
-  EXPECT_EQ(found, 2 * 56);
+  EXPECT_EQ(found, 7 * 97);
   EXPECT_EQ(wrong, 0);
 }
 
 // White turbulence of 2 m/s, far worse than any that is connected in space: with a limit of 4 of
-// robust standard deviations that eight neighbours give, few are lost. (Theory for a known
+// robust standard deviations that eight values give, few are lost. (Theory for a known
 // deviation is 1e-4; the deviation of eight values scatters.)
 TEST(SpikeFilter, TurbulencePasses) {
   std::mt19937 random(12);
@@ -90,7 +98,7 @@ TEST(SpikeFilter, TurbulencePasses) {
   EXPECT_GT(found, 0);
 }
 
-// A front of 10 m/s that stays is believed after three measurements, by one gate and by ten.
+// A front of 10 m/s that stays is believed after four measurements, by one gate and by ten.
 TEST(SpikeFilter, AFrontIsBelieved) {
   for (const int gates : {10, 1}) {
     Gates lidar(gates);
@@ -100,7 +108,8 @@ TEST(SpikeFilter, AFrontIsBelieved) {
       const int found = lidar.measure(front, k * kMeasurement_s);
       lost += found;
     }
-    EXPECT_LE(lost, 3 * gates);
+    EXPECT_LE(lost, 4 * gates);
+    EXPECT_GT(lost, 0);
   }
 }
 
