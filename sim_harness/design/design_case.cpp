@@ -53,7 +53,8 @@ void read_feedforward(YamlReader in, DesignCase& d) {
   if (d.ffp.fixed_buffer_s) {
     file.fail("FixedBuffer", "a template of a design has a computed buffer; take the line out");
   }
-  d.rule = static_cast<CutoffRule>(in.choice("cutoff", 0, {"minus_3_db", "closest_fit"}));
+  d.rule =
+      static_cast<CutoffRule>(in.choice("cutoff", 0, {"minus_3_db", "closest_fit", "least_left"}));
   d.timing.delay_frequency_hz = d.ffp.delay_frequency_hz;
   d.timing.actuator_frequency_hz = d.ffp.actuator_frequency_hz;
   d.timing.actuator_damping = d.ffp.actuator_damping;
@@ -115,13 +116,15 @@ std::unique_ptr<CorrelationModel> make_correlation(const DesignCase& d, const Li
 
 std::string describe_model(const DesignCase& d) {
   std::ostringstream out;
+  constexpr const char* kRules[] = {"at -3 dB of |G_RL|", "of the closest low-pass",
+                                    "that leaves least of the wind"};
   out << "rotor of " << 2.0 * d.rotor_radius_m << " m; probe volume "
       << (d.volumes.model == VolumeModel::kContinuous ? "continuous" : "in three points")
       << ", scan averaging " << (d.curves.scan_time_s > 0.0 ? "on" : "off");
   if (d.volumes.yaw_error_rad != 0.0)
     out << ", yaw misalignment " << deg_from_rad(d.volumes.yaw_error_rad) << " deg";
-  out << ", cut-off "
-      << (d.rule == CutoffRule::kAtMinus3dB ? "at -3 dB of |G_RL|" : "of the closest low-pass");
+  out << ", cut-off " << kRules[static_cast<int>(d.rule)];
+  if (d.timing.filter_order == 2) out << ", second-order low-pass that leaves least of the wind";
   return out.str();
 }
 

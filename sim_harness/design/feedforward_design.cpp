@@ -20,8 +20,8 @@ std::string how_missed(const CorrelationCurve& curve, CutoffRule rule) {
                             shortest(gain.front()) + ", and " +
                             shortest(curve.frequency_hz(gain.size() - 1)) + " Hz, where it is " +
                             shortest(gain.back());
-  return rule == CutoffRule::kAtMinus3dB ? "|G_RL| does not fall through -3 dB" + range
-                                         : "no low-pass with a cut-off inside fits |G_RL|" + range;
+  return rule == CutoffRule::kClosestFit ? "no low-pass with a cut-off inside fits |G_RL|" + range
+                                         : "|G_RL| does not fall through -3 dB" + range;
 }
 
 /// Between the two frequencies about the cut-off.
@@ -33,13 +33,17 @@ double late_at_s(const CorrelationCurve& curve, double cutoff_hz) {
   return std::lerp(late_s[i - 1], late_s[i], (cutoff_hz - before_hz) / (after_hz - before_hz));
 }
 
-/// Order 2 has what lead the rest leaves to it; without any it is as quick as the curve is long.
+bool is_fitted(CutoffRule rule, const FeedforwardTiming& t) {
+  return t.filter_order == 2 || rule == CutoffRule::kLeastLeft;
+}
+
+/// A fit has what lead the rest leaves to it; without any it is as quick as the curve is long.
 LowPassDesign low_pass(const CorrelationCurve& curve, const FeedforwardPoint& p,
-                       const FeedforwardTiming& t) {
-  if (t.filter_order == 1) return {1, p.cutoff_hz, 0.0};
+                       const FeedforwardTiming& t, CutoffRule rule) {
+  if (!is_fitted(rule, t)) return {1, p.cutoff_hz, 0.0};
   const double left_s =
       p.lead_s - p.actuator_s - p.half_window_s + p.trim_s - t.lead_margin_s - kLeadToSpare_s;
-  return fit_second_order(curve, t.delay_frequency_hz, std::max(left_s, 0.0));
+  return fit_low_pass(t.filter_order, curve, t.delay_frequency_hz, std::max(left_s, 0.0));
 }
 
 FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, CutoffRule rule,
@@ -49,7 +53,7 @@ FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, Cu
   p.nearest_gate_m = distance_m;
   p.figures = figures_of_merit(curve);
   const auto& cutoff =
-      rule == CutoffRule::kAtMinus3dB ? p.figures.cutoff_hz : p.figures.fitted_cutoff_hz;
+      rule == CutoffRule::kClosestFit ? p.figures.fitted_cutoff_hz : p.figures.cutoff_hz;
   if (!cutoff) {
     throw Error("at " + shortest(curve.mean_speed_mps) + " m/s with gates from " +
                 shortest(distance_m) + " m: " + how_missed(curve, rule) +
@@ -62,7 +66,7 @@ FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, Cu
   p.half_window_s = 0.5 * t.scan_time_s;
   p.late_s = late_at_s(curve, p.cutoff_hz);
   p.trim_s = t.buffer_trim_s.at(p.mean_speed_mps) - (t.trim_lateness ? p.late_s : 0.0);
-  p.low_pass = low_pass(curve, p, t);
+  p.low_pass = low_pass(curve, p, t, rule);
   p.filter_s = delay_s(p.low_pass, t.delay_frequency_hz);
   p.share_left = share_left(curve, p.low_pass, t.delay_frequency_hz);
   p.needed_s = p.filter_s + p.actuator_s + p.half_window_s - p.trim_s;
@@ -78,7 +82,7 @@ FeedforwardPoint design_at(const CorrelationCurves& curves, std::size_t speed,
         point_with(curves.curve(speed, first), lidar.planes[first].distance_m, rule, timing);
     p.first_plane = first;
     if (p.buffer_s() < timing.lead_margin_s) continue;
-    if (timing.filter_order == 1) return p;
+    if (!is_fitted(rule, timing)) return p;
     if (!best || p.share_left < best->share_left) best = p;
   }
   if (best) return *best;

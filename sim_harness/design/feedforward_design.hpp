@@ -15,6 +15,7 @@ namespace lac::sim {
 enum class CutoffRule {
   kAtMinus3dB,  // where |G_RL| is -3 dB (GUO section 3.4)
   kClosestFit,  // least squares over the whole curve
+  kLeastLeft,   // what leaves least of the rotor's wind within the lead there is (filter_fit.hpp)
 };
 
 /// What else delays the pitch; the numbers of the FFP and LDP input files.
@@ -25,7 +26,7 @@ struct FeedforwardTiming {
   LookupTable buffer_trim_s{{0.0}, {0.0}};  // over the mean wind speed
   double scan_time_s = 1.0;                 // window of the average
   double lead_margin_s = 0.1;  // a gate is used if its lead is longer than needed by this
-  int filter_order = 1;        // 1: cut-off by its rule; 2: the fit that leaves least
+  int filter_order = 1;        // 1: cut-off by its rule; 2: always what leaves least
   bool trim_lateness = false;  // the buffer also makes up for the lateness of the estimate
 };
 

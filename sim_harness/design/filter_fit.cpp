@@ -44,10 +44,11 @@ double golden_section(double a, double b, Function&& f) {
 }
 
 /// The delay falls with the frequency: the lowest log frequency that the lead allows.
-double lowest_log_hz(double damping, double first, double last, double delay_frequency_hz,
+double lowest_log_hz(LowPassDesign filter, double first, double last, double delay_frequency_hz,
                      double longest_delay_s) {
   const auto too_slow = [&](double log_hz) {
-    return second_order_delay_s(std::exp(log_hz), damping, delay_frequency_hz) > longest_delay_s;
+    filter.frequency_hz = std::exp(log_hz);
+    return delay_s(filter, delay_frequency_hz) > longest_delay_s;
   };
   if (!too_slow(first)) return first;
   for (int i = 0; i < kSections; ++i) {
@@ -88,17 +89,19 @@ double share_left(const CorrelationCurve& c, const LowPassDesign& filter,
   return share_left_of_wiener(c) + missed / integral(c, [&](std::size_t i) { return c.s_rr[i]; });
 }
 
-LowPassDesign fit_second_order(const CorrelationCurve& c, double delay_frequency_hz,
-                               double longest_delay_s) {
+LowPassDesign fit_low_pass(int order, const CorrelationCurve& c, double delay_frequency_hz,
+                           double longest_delay_s) {
   const double first = std::log(c.frequency_hz(0)),
                last = std::log(c.frequency_hz(c.k1_radpm.size() - 1));
   const auto best_of = [&](double damping) {
-    const double lowest = lowest_log_hz(damping, first, last, delay_frequency_hz, longest_delay_s);
-    const double log_hz = golden_section(lowest, last, [&](double x) {
-      return share_left(c, {2, std::exp(x), damping}, delay_frequency_hz);
-    });
-    return LowPassDesign{2, std::exp(log_hz), damping};
+    LowPassDesign filter{order, 0.0, damping};
+    const double lowest = lowest_log_hz(filter, first, last, delay_frequency_hz, longest_delay_s);
+    filter.frequency_hz = std::exp(golden_section(lowest, last, [&](double log_hz) {
+      return share_left(c, {order, std::exp(log_hz), damping}, delay_frequency_hz);
+    }));
+    return filter;
   };
+  if (order == 1) return best_of(0.0);
   return best_of(golden_section(kLowestDamping, kHighestDamping, [&](double damping) {
     return share_left(c, best_of(damping), delay_frequency_hz);
   }));

@@ -29,10 +29,10 @@ double share_left(const CorrelationCurve& curve, const LowPassDesign& filter,
                   double delay_frequency_hz);
 double share_left_of_wiener(const CorrelationCurve& curve);
 
-/// The second-order low-pass that leaves least, among those that delay the delay frequency by
+/// The low-pass of order 1 or 2 that leaves least, among those that delay the delay frequency by
 /// `longest_delay_s` at most: the lead there is is all it can use. Damping 0.5 to 1.5, frequency
-/// within the curve. Precondition: longest_delay_s > 0.
-LowPassDesign fit_second_order(const CorrelationCurve& curve, double delay_frequency_hz,
-                               double longest_delay_s);
+/// within the curve; the end of the curve if nothing there is as quick.
+LowPassDesign fit_low_pass(int order, const CorrelationCurve& curve, double delay_frequency_hz,
+                           double longest_delay_s);
 
 }  // namespace lac::sim
