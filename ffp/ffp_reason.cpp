@@ -16,7 +16,7 @@ const char* text_of(FfpReason reason) {
     case FfpReason::BufferTooLong:
       return "the buffer time exceeds LongestBuffer";
     case FfpReason::BelowThreshold:
-      return "the wind speed is below ThresholdSpeed";
+      return "the wind speed is below what Entry acts on";
     case FfpReason::RateLimited:
       return "the rate is cut to MaximumRate";
     case FfpReason::OutsideCurve:
