@@ -12,6 +12,7 @@
 #include "sim_harness/cli/commands.hpp"
 #include "sim_harness/cli/design_command.hpp"
 #include "sim_harness/cli/migrate_command.hpp"
+#include "sim_harness/cli/optimize_command.hpp"
 #include "sim_harness/cli/tune_command.hpp"
 #include "sim_harness/cli/wind_options.hpp"
 
@@ -100,6 +101,16 @@ int run_program(int argc, char** argv) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   design_command->add_option("-o,--output", design.output_folder, "Folder for the results");
 
+  lac::sim::DesignOptions optimize;
+  CLI::App* optimize_command = app.add_subcommand(
+      "optimize", "Find the beams and gates with which a lidar sees most of what the rotor feels");
+  optimize_command->add_option("file", optimize.file, "Design file (YAML)")->required();
+  optimize_command
+      ->add_option("--set", optimize.overrides, "Replace a value, e.g. optimize.grid=11")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  optimize_command->add_option("-o,--output", optimize.output_folder, "Folder for the results");
+
   CLI::App* records_command = app.add_subcommand("records", "Print the map of records");
 
   try {
@@ -120,6 +131,7 @@ int run_program(int argc, char** argv) {
   if (wind.parsed()) return wind.run(std::cout);
   if (analysis.parsed()) return analysis.run(std::cout), 0;
   if (design_command->parsed()) return lac::sim::design_command(design, std::cout), 0;
+  if (optimize_command->parsed()) return lac::sim::optimize_command(optimize, std::cout), 0;
   if (records_command->parsed()) return lac::sim::print_records(std::cout), 0;
   std::cout << app.help();
   return 0;
