@@ -61,7 +61,7 @@ double LayoutJudge::lead_margin_s(const CorrelationModel& model, const LidarVolu
   const double needed_s =
       filter_delay_s(k1_radpm * v / (2.0 * kPi), t.delay_frequency_hz) +
       actuator_delay_s(t.actuator_frequency_hz, t.actuator_damping, t.delay_frequency_hz) +
-      0.5 * scan_time_s - t.buffer_trim_s + t.lead_margin_s;
+      0.5 * scan_time_s - t.buffer_trim_s.at(v) + t.lead_margin_s;
   return lidar.planes.front().distance_m / v - needed_s;
 }
 
