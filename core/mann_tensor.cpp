@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_harness/wind/mann_tensor.hpp"
+#include "core/mann_tensor.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string_view>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
-#include "sim_harness/wind/parameter_check.hpp"
 
-namespace lac::sim {
+namespace lac {
 namespace {
 
-constexpr auto kWhere = "Mann tensor";
+void require(bool ok, std::string_view name, double found, std::string_view expected) {
+  if (ok) return;
+  std::ostringstream text;
+  text.precision(9);
+  text << "Mann tensor: " << name << " = " << found << ", expected " << expected;
+  throw Error(text.str());
+}
+
+void require_positive(std::string_view name, double found) {
+  require(std::isfinite(found) && found > 0.0, name, found, "a finite number above 0");
+}
 
 // Table of log beta: beyond its ends beta is a power law (to 1e-7).
 constexpr double kFirstLog = -12.0;  // kL = 6e-6
@@ -43,14 +55,13 @@ double guo_factor() {
 }
 
 void check(const MannParams& p) {
-  require_positive(kWhere, "alpha_epsilon", p.alpha_epsilon);
-  require_positive(kWhere, "length_m", p.length_m);
-  require(std::isfinite(p.gamma) && p.gamma >= 0.0, kWhere, "gamma", p.gamma,
-          "0 or a finite number above");
-  require(p.high_slope <= 0.0, kWhere, "high_slope", p.high_slope, "0 or below");
-  require(std::isfinite(p.low_slope) && p.low_slope <= p.high_slope, kWhere, "low_slope",
-          p.low_slope, "a finite number, high_slope or below");
-  require(p.evolution_s > 0.0, kWhere, "evolution_s", p.evolution_s, "above 0, or infinity");
+  require_positive("alpha_epsilon", p.alpha_epsilon);
+  require_positive("length_m", p.length_m);
+  require(std::isfinite(p.gamma) && p.gamma >= 0.0, "gamma", p.gamma, "0 or a finite number above");
+  require(p.high_slope <= 0.0, "high_slope", p.high_slope, "0 or below");
+  require(std::isfinite(p.low_slope) && p.low_slope <= p.high_slope, "low_slope", p.low_slope,
+          "a finite number, high_slope or below");
+  require(p.evolution_s > 0.0, "evolution_s", p.evolution_s, "above 0, or infinity");
 }
 
 /// Cubic through the four nodes about position s (in steps from v[0]), 1 <= s <= size - 2.
@@ -65,9 +76,9 @@ double cubic(const std::vector<double>& v, double s) {
 }  // namespace
 
 SinhNodes::SinhNodes(double k1_radpm, double length_m, int nodes, double reach) {
-  require(nodes >= 3 && nodes % 2 == 1, kWhere, "quadrature nodes", nodes, "an odd number from 3");
+  require(nodes >= 3 && nodes % 2 == 1, "quadrature nodes", nodes, "an odd number from 3");
   const double k1 = std::abs(k1_radpm), scale = 0.3 * k1;
-  require_positive(kWhere, "k1 [rad/m]", k1);
+  require_positive("k1 [rad/m]", k1);
   const double end = std::asinh(reach * (1.0 / length_m + k1) / scale);
   const double step = 2.0 * end / (nodes - 1);
   for (int i = 0; i < nodes; ++i) {
@@ -180,10 +191,10 @@ SpectralTensor MannTensor::covariance() const {
 }
 
 MannParams scaled_to_sigma_u(MannParams params, double sigma_u_mps) {
-  require_positive(kWhere, "sigma_u [m/s]", sigma_u_mps);
+  require_positive("sigma_u [m/s]", sigma_u_mps);
   const double variance = MannTensor(params).covariance()[kUu];
   params.alpha_epsilon *= sigma_u_mps * sigma_u_mps / variance;
   return params;
 }
 
-}  // namespace lac::sim
+}  // namespace lac
