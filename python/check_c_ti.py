@@ -6,13 +6,16 @@
     venv/bin/python python/check_c_ti.py
 
 Nothing is shared with the C++ sources, neither code nor formula: the volume response is the double
-integral of methods section 6 over the two points of the range weighting, not its closed form, and
-the integral over frequency is SciPy's adaptive one.
+integral over the two points of the range weighting, not its closed form, and the integral over
+frequency is SciPy's adaptive one. Mann: the tensor of turbulence_models.py, integrated over k2, k3 in
+polar coordinates.
 """
 
 import numpy as np
 from scipy.integrate import quad
 from scipy.special import wofz
+
+from turbulence_models import Mann
 
 LENGTHS_M = np.array([8.1, 2.7, 0.66]) * 42.0
 SIGMAS = np.array([1.0, 0.8, 0.5])
@@ -65,6 +68,36 @@ def c_ti(n, speed, period_s, scan_hz, max_hz, width_m):
     return np.sqrt(var_u / var_los)
 
 
+def mann_spectra(model, k1, beams, sigma_m, radii=241, angles=720):
+    """F_los of each beam (x down-wind) and F_u at k1, two-sided."""
+    low, high = 1e-4 * min(k1, 1.0 / model.length), 1e3 * (1.0 / model.length + k1)
+    rho = np.exp(np.linspace(np.log(low), np.log(high), radii))[:, None]
+    theta = (np.arange(angles) + 0.5) * 2.0 * np.pi / angles
+    k2, k3 = rho * np.cos(theta), rho * np.sin(theta)
+    area = rho**2 * np.log(high / low) / (radii - 1) * 2.0 * np.pi / angles
+    phi = model.tensor(k1, k2, k3)
+    spectra = []
+    for n in beams:
+        along = sum(n[i] * n[j] * phi[i][j] for i in range(3) for j in range(3))
+        spectra.append(np.sum(area * along * np.exp(-((sigma_m * (k1 * n[0] + k2 * n[1] + k3 * n[2]))
+                                                      ** 2))))
+    return np.array([*spectra, np.sum(area * phi[0][0])])
+
+
+def mann_c_ti(model, beams, speed, period_s, scan_hz, max_hz, width_m):
+    """c_TI of each beam (x down-wind), nothing below 1/T; v_los up to scan_hz, u up to max_hz."""
+    sigma_m = width_m / np.sqrt(8.0 * np.log(2.0))
+    f = np.exp(np.linspace(np.log(1.0 / period_s), np.log(max_hz), 121))
+    table = np.array([mann_spectra(model, 2.0 * np.pi * x / speed, beams, sigma_m) for x in f])
+    fine = np.exp(np.linspace(np.log(f[0]), np.log(f[-1]), 20001))
+
+    def variance(column, upper):
+        density = fine * np.exp(np.interp(np.log(fine), np.log(f), np.log(table[:, column])))
+        return np.trapezoid(np.where(fine <= upper, density, 0.0), np.log(fine))
+
+    return [np.sqrt(variance(-1, max_hz) / variance(i, scan_hz)) for i in range(len(beams))]
+
+
 def main():
     print("Re w(1+1i), w(3+0.1i), w(0.02+7i):", wofz([1 + 1j, 3 + 0.1j, 0.02 + 7j]).real)
     n = beam(15.0, 12.5)
@@ -72,6 +105,15 @@ def main():
     for speed, psi, period in [(16.0, 0.0, 600.0), (16.0, 10.0, 180.0), (6.0, -20.0, 180.0)]:
         value = c_ti(in_wind(n, psi), speed, period, 1.0, 10.0, 30.0)
         print(f"c_TI(15, 12.5 deg; {speed} m/s, psi {psi} deg, T {period} s) = {value:.8f}")
+    iec = Mann(1.0, 33.6, 3.9, lifetime="mann")
+    up, down = (np.array([-n[0], -n[1], z]) for z in (n[2], -n[2]))
+    for length in (33.6, 61.0):
+        iec.length = length
+        values = mann_c_ti(iec, [up, down], 16.0, 180.0, 1.0, 10.0, 30.0)
+        print(f"Mann, L {length} m, T 180 s: c_TI looking up {values[0]:.5f}, down {values[1]:.5f}")
+    print("Mann, IEC: F of the two beams and of u at 0.02 and 0.5 rad/m:",
+          *(mann_spectra(Mann(1.0, 33.6, 3.9, lifetime="mann"), k, [up, down], 12.7398)
+            for k in (0.02, 0.5)))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kWindowPeriods = 16;   // the response is followed that far, its mean taken beyond
 constexpr double kPanelRatio = 1.8;  // of the frequencies at the ends of a panel
+constexpr double kLowestSpeed_mps = 0.5;  // for which Mann's spectra reach far enough
 
 /// Mean of the response over a period of it, for many periods in the window.
 double mean_window_response(double periods, Window window, Detrending detrending) {
@@ -37,6 +38,15 @@ std::pair<std::size_t, double> interval(const std::vector<double>& axis, double 
 
 }  // namespace
 
+MannParams iec_mann(double hub_height_m) {
+  MannParams p;
+  p.alpha_epsilon = 1.0;
+  p.length_m = 0.8 * (hub_height_m <= 60.0 ? 0.7 * hub_height_m : 42.0);
+  p.gamma = 3.9;
+  p.lifetime = EddyLifetime::kMann;
+  return p;
+}
+
 double window_response(double periods, Window window, Detrending detrending) {
   const double x = kPi * periods;
   if (window == Window::Exponential) return x * x / (1.0 + x * x);
@@ -54,7 +64,13 @@ Correction::Correction(const CorrectionParams& params)
     : params_(params),
       volume_std_m_(params.pulse_width_m / std::sqrt(8.0 * std::log(2.0))),
       lidar_nodes_(nodes(params.aliasing ? params.max_frequency_hz : params.scan_rate_hz)),
-      point_nodes_(nodes(params.max_frequency_hz)) {}
+      point_nodes_(nodes(params.max_frequency_hz)) {
+  if (params.spectra == Spectra::Kaimal) return;
+  const double highest_hz = std::max(params.max_frequency_hz, params.scan_rate_hz);
+  mann_.emplace(scaled_to_sigma_u(params.mann, 1.0), volume_std_m_,
+                2.0 * kPi * highest_hz / kLowestSpeed_mps);
+  mann_u_ = mann_->u();
+}
 
 std::vector<Correction::Node> Correction::nodes(double upper_hz) const {
   const bool response = params_.low_frequencies == LowFrequencies::Response;
@@ -100,7 +116,21 @@ double Correction::volume_response(const Vec3& beam_W, double frequency_hz,
   return faddeeva_.real_part(volume_std_m_ * phase_radpm, volume_std_m_ * decay_pm);
 }
 
+double Correction::variance(const TabulatedSpectrum& spectrum, const std::vector<Node>& nodes,
+                            double mean_speed_mps) {
+  const double radpm_per_hz = 2.0 * kPi / mean_speed_mps;
+  double sum = 0.0;
+  for (const Node& node : nodes)
+    sum += node.weight_hz * spectrum.at(radpm_per_hz * node.frequency_hz);
+  return 2.0 * radpm_per_hz * sum;  // of both sides of k1
+}
+
 double Correction::los_variance(const Vec3& beam_W, double mean_speed_mps) const {
+  if (!mann_) return kaimal_variance(beam_W, mean_speed_mps);
+  return variance(mann_->los({-beam_W.x, -beam_W.y, beam_W.z}), lidar_nodes_, mean_speed_mps);
+}
+
+double Correction::kaimal_variance(const Vec3& beam_W, double mean_speed_mps) const {
   const double lateral = params_.lateral_coherence == LateralCoherence::SameAsU ? 1.0 : 0.0;
   const Vec3 share{beam_W.x * beam_W.x, lateral * beam_W.y * beam_W.y,
                    lateral * beam_W.z * beam_W.z};
@@ -116,6 +146,7 @@ double Correction::los_variance(const Vec3& beam_W, double mean_speed_mps) const
 }
 
 double Correction::u_variance(double mean_speed_mps) const {
+  if (mann_) return variance(mann_u_, point_nodes_, mean_speed_mps);
   const KaimalComponent& u = params_.model.u;
   double variance = 0.0;
   if (params_.low_frequencies == LowFrequencies::Cutoff) {
@@ -142,18 +173,33 @@ double Correction::rews_variance(double mean_speed_mps, double rotor_radius_m,
 }
 
 double Correction::c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const {
-  return std::sqrt(u_variance(mean_speed_mps) /
-                   los_variance(beam_in_wind(beam_L, yaw_error_rad), mean_speed_mps));
+  return c_ti(beam_L, std::vector{mean_speed_mps}, yaw_error_rad).front();
+}
+
+std::vector<double> Correction::c_ti(const Vec3& beam_L, const std::vector<double>& speeds_mps,
+                                     double yaw_error_rad) const {
+  const Vec3 beam_W = beam_in_wind(beam_L, yaw_error_rad);
+  TabulatedSpectrum mann_los;
+  if (mann_) mann_los = mann_->los({-beam_W.x, -beam_W.y, beam_W.z});
+  std::vector<double> factors;
+  for (const double speed_mps : speeds_mps) {
+    const double los =
+        mann_ ? variance(mann_los, lidar_nodes_, speed_mps) : kaimal_variance(beam_W, speed_mps);
+    factors.push_back(std::sqrt(u_variance(speed_mps) / los));
+  }
+  return factors;
 }
 
 CorrectionTable::CorrectionTable(const Correction& correction, const std::vector<Vec3>& beams_L,
                                  std::vector<double> speeds_mps, std::vector<double> yaw_errors_rad)
     : speeds_mps_(std::move(speeds_mps)), yaw_errors_rad_(std::move(yaw_errors_rad)) {
-  for (const Vec3& beam : beams_L) {
-    for (const double speed : speeds_mps_) {
-      for (const double yaw : yaw_errors_rad_) {
-        values_.push_back(correction.c_ti(beam, speed, yaw) * std::abs(beam_in_wind(beam, yaw).x));
-      }
+  values_.resize(beams_L.size() * speeds_mps_.size() * yaw_errors_rad_.size());
+  for (std::size_t b = 0; b < beams_L.size(); ++b) {
+    for (std::size_t y = 0; y < yaw_errors_rad_.size(); ++y) {
+      const double yaw = yaw_errors_rad_[y];
+      const std::vector<double> factors = correction.c_ti(beams_L[b], speeds_mps_, yaw);
+      for (std::size_t v = 0; v < speeds_mps_.size(); ++v)
+        values_[index(b, v, y)] = factors[v] * std::abs(beam_in_wind(beams_L[b], yaw).x);
     }
   }
 }
@@ -181,7 +227,7 @@ double CorrectionTable::at(std::size_t beam, const Place& p) const noexcept {
 
 double CorrectionTable::corner(std::size_t beam, std::size_t speed,
                                std::size_t yaw) const noexcept {
-  return values_[(beam * speeds_mps_.size() + speed) * yaw_errors_rad_.size() + yaw];
+  return values_[index(beam, speed, yaw)];
 }
 
 }  // namespace lac

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/kaimal.hpp"
 #include "core/vec3.hpp"
 #include "ti_estimator/faddeeva.hpp"
+#include "ti_estimator/mann_los.hpp"
 
 namespace lac {
 
@@ -22,6 +24,15 @@ enum class VolumeModel {
   Phase,       // Gaussian; only the offset along the wind counts: v and w are coherent as well
   ThreePoint,  // weights 1/4, 1/2, 1/4 at -W/2, 0, W/2, as coarse lidar simulators have them
 };
+
+/// Spectra of the turbulence.
+enum class Spectra {
+  Kaimal,  // components independent, exponential coherence within a volume
+  Mann,    // the uniform-shear tensor: no model of coherence needed, covariances included
+};
+
+/// IEC 61400-1: length 0.8 Lambda_1 and anisotropy 3.9; sigma_u cancels out of c_TI.
+MannParams iec_mann(double hub_height_m);
 
 /// How slow fluctuations drop out of a standard deviation over T.
 enum class LowFrequencies {
@@ -42,7 +53,9 @@ enum class Detrending { Mean, Linear };
 double window_response(double periods, Window window, Detrending detrending);
 
 struct CorrectionParams {
+  Spectra spectra = Spectra::Kaimal;
   KaimalModel model = iec_kaimal(1.0, 90.0);  // sigma_u cancels out of c_TI
+  MannParams mann = iec_mann(90.0);           // with Spectra::Mann; Gaussian volumes only
   double averaging_time_s = 600.0;            // T
   double scan_rate_hz = 1.0;                  // f_scan, measurements per volume and second
   /// False: nothing above f_scan is in the samples (S20 eq. 7). True: they hold the variance of all
@@ -67,6 +80,8 @@ struct CorrectionParams {
 /// w the Faddeeva function, n_t = sqrt(n_y^2 + n_z^2). Phase: c = 0, H^2 = exp(-(s k n_x)^2).
 /// ThreePoint: the double sum over its points of cos(k n_x d) exp(-c n_t d), d their distance.
 ///
+/// Mann: MannLos, in k1 = 2 pi f / U.
+///
 /// c_TI does not depend on the gate (Taylor: all gates of a beam see the same statistics) nor on
 /// the turbulence level. Integrals over f: Gauss-Legendre, relative error below 1e-9.
 class Correction {
@@ -83,7 +98,10 @@ class Correction {
   double rews_variance(double mean_speed_mps, double rotor_radius_m, double cutoff_hz) const;
   /// `beam_L`: unit vector in frame L; `yaw_error_rad`: wind minus nacelle direction, about z.
   double c_ti(const Vec3& beam_L, double mean_speed_mps, double yaw_error_rad) const;
-  /// H^2, in 0 ... 1.
+  /// The same at several speeds, of 0.5 m/s or more.
+  std::vector<double> c_ti(const Vec3& beam_L, const std::vector<double>& mean_speeds_mps,
+                           double yaw_error_rad) const;
+  /// H^2, in 0 ... 1. Kaimal.
   double volume_response(const Vec3& beam_W, double frequency_hz, double mean_speed_mps) const;
 
  private:
@@ -92,6 +110,9 @@ class Correction {
     double weight_hz;  // contains the window's response
   };
   std::vector<Node> nodes(double upper_hz) const;
+  double kaimal_variance(const Vec3& beam_W, double mean_speed_mps) const;
+  static double variance(const TabulatedSpectrum& spectrum, const std::vector<Node>& nodes,
+                         double mean_speed_mps);
   double share_left(double frequency_hz, bool followed) const;
 
   CorrectionParams params_;
@@ -99,6 +120,8 @@ class Correction {
   Faddeeva faddeeva_;
   std::vector<Node> lidar_nodes_;
   std::vector<Node> point_nodes_;
+  std::optional<MannLos> mann_;
+  TabulatedSpectrum mann_u_;
 };
 
 /// The beam as the mean wind sees it: its direction in the frame whose x-axis lies along the wind,
@@ -126,6 +149,9 @@ class CorrectionTable {
   double at(std::size_t beam, const Place& place) const noexcept;
 
  private:
+  std::size_t index(std::size_t beam, std::size_t speed, std::size_t yaw) const noexcept {
+    return (beam * speeds_mps_.size() + speed) * yaw_errors_rad_.size() + yaw;
+  }
   double corner(std::size_t beam, std::size_t speed, std::size_t yaw) const noexcept;
 
   std::vector<double> speeds_mps_;

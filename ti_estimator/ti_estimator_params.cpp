@@ -81,14 +81,33 @@ void read_volume(InputFile& in, CorrectionParams& c) {
   }
 }
 
+/// Behind read_volume().
+void read_spectra(InputFile& in, CorrectionParams& c) {
+  c.spectra = static_cast<Spectra>(in.choice("Spectra", 0, {"kaimal", "mann"}));
+  c.mann.length_m = in.number("MannLength", c.mann.length_m, {1.0, 1000.0});
+  c.mann.gamma = in.number("MannAnisotropy", c.mann.gamma, {0.0, 6.0});
+  if (c.spectra == Spectra::Kaimal) {
+    for (const char* key : {"MannLength", "MannAnisotropy"})
+      if (in.has(key)) in.fail(key, "is not used without Spectra mann");
+    return;
+  }
+  if (c.volume_model != VolumeModel::Full)
+    in.fail("VolumeModel", "only full goes with Spectra mann");
+  if (in.has("LateralCoherence"))
+    in.fail("LateralCoherence", "belongs to Spectra kaimal: Mann's tensor has its own");
+}
+
 void read_correction(InputFile& in, TiEstimatorParams& p) {
   CorrectionParams& c = p.correction;
-  c.model = iec_kaimal(1.0, in.number("HubHeight", {0.0, 500.0, false}));
+  const double hub_height_m = in.number("HubHeight", {0.0, 500.0, false});
+  c.model = iec_kaimal(1.0, hub_height_m);
+  c.mann = iec_mann(hub_height_m);
   c.averaging_time_s = p.averaging_time_s;
   c.scan_rate_hz = 1.0 / p.scan_time_s;
   c.max_frequency_hz = in.number("MaximumFrequency", c.max_frequency_hz, {0.0, 1000.0, false});
   c.aliasing = in.flag("Aliasing", c.aliasing);
   read_volume(in, c);
+  read_spectra(in, c);
   read_window(in, c);
   if (c.max_frequency_hz * p.averaging_time_s <= 1.0) {
     in.fail("MaximumFrequency", "not above 1/AveragingTime");
@@ -176,6 +195,8 @@ void read_other_estimates(InputFile& in, TiEstimatorParams& p) {
   p.turbine = read_signal(in, "EstimateTurbine", p);
   if (p.turbine.used || in.has("RotorRadius"))
     p.rotor_radius_m = in.number("RotorRadius", Range::positive());
+  if (p.turbine.used && p.correction.spectra == Spectra::Mann)
+    in.fail("EstimateTurbine", "its correction is that of Spectra kaimal");
   p.turbine_cutoff_hz = in.number("TurbineCutOff", p.turbine_cutoff_hz, Range::positive());
 }
 

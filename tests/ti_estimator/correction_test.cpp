@@ -228,5 +228,77 @@ TEST(CorrectionTable, Covers) {
   EXPECT_FALSE(table.covers(std::nan(""), 0.0));
 }
 
+MannParams iec_of_length(double length_m) {
+  MannParams p = iec_mann(90.0);
+  p.length_m = length_m;
+  return p;
+}
+
+/// S20's beam to the left, in the frame whose x is down-wind: 1 up, -1 down.
+Vec3 s20_beam_I(double up) {
+  const Vec3 n = beam_direction(rad_from_deg(15.0), rad_from_deg(12.5));
+  return {-n.x, -n.y, up * n.z};
+}
+
+// Without shear the spectra of isotropic turbulence, closed forms; a point sees
+// n_x^2 F11 + (n_y^2 + n_z^2) F22.
+TEST(MannLos, Isotropic) {
+  MannParams p = iec_of_length(40.0);
+  p.gamma = 0.0;
+  const MannLos point(p, 0.0, 100.0);
+  const Vec3 n = s20_beam_I(1.0);
+  for (const double k1 : {1e-5, 0.01, 0.1, 2.0}) {
+    const double q = 1.0 / 1600.0 + k1 * k1;
+    const double f11 = 9.0 / 55.0 * std::pow(q, -5.0 / 6.0);
+    const double f22 = 3.0 / 110.0 * (3.0 / 1600.0 + 8.0 * k1 * k1) * std::pow(q, -11.0 / 6.0);
+    EXPECT_NEAR(point.u().at(k1) / f11, 1.0, 1e-3) << k1;
+    const double across = 1.0 - n.x * n.x;
+    EXPECT_NEAR(point.los(n).at(k1) / (n.x * n.x * f11 + across * f22), 1.0, 1e-3) << k1;
+  }
+}
+
+// python/check_c_ti.py: another quadrature of another tensor. IEC, W = 30 m.
+TEST(MannLos, AgainstPython) {
+  const MannLos los(iec_mann(90.0), 30.0 / std::sqrt(8.0 * std::log(2.0)), 100.0);
+  EXPECT_NEAR(los.u().at(0.02) / 92.59486354, 1.0, 1e-3);
+  EXPECT_NEAR(los.u().at(0.5) / 0.51866529, 1.0, 1e-3);
+  EXPECT_NEAR(los.los(s20_beam_I(1.0)).at(0.02) / 89.69967337, 1.0, 1e-3);
+  EXPECT_NEAR(los.los(s20_beam_I(-1.0)).at(0.02) / 66.0153054, 1.0, 1e-3);
+  EXPECT_NEAR(los.los(s20_beam_I(1.0)).at(0.5) / 0.01956252, 1.0, 0.02);
+  EXPECT_NEAR(los.los(s20_beam_I(-1.0)).at(0.5) / 0.02152967, 1.0, 0.02);
+}
+
+// python/check_c_ti.py: 16 m/s, T = 180 s, up to 1 Hz and 10 Hz. The covariance of u and w gives
+// the beam that looks up more variance, so that it needs less of a correction.
+TEST(Correction, Mann) {
+  CorrectionParams p;
+  p.spectra = Spectra::Mann;
+  p.averaging_time_s = 180.0;
+  const Vec3 up = beam_direction(rad_from_deg(15.0), rad_from_deg(12.5));
+  const Vec3 down = beam_direction(rad_from_deg(15.0), rad_from_deg(-12.5));
+  const Correction iec(p);
+  EXPECT_NEAR(iec.c_ti(up, 16.0, 0.0), 1.10083, 1e-3);
+  EXPECT_NEAR(iec.c_ti(down, 16.0, 0.0), 1.23172, 1e-3);
+  p.mann = iec_of_length(61.0);
+  const Correction longer(p);
+  EXPECT_NEAR(longer.c_ti(up, 16.0, 0.0), 1.06161, 1e-3);
+  EXPECT_NEAR(longer.c_ti(down, 16.0, 0.0), 1.20417, 1e-3);
+}
+
+// Unit sigma_u: all of the variance is there when nothing is cut off. Turning left and right beams
+// by opposite yaw errors is the same.
+TEST(Correction, MannLimits) {
+  CorrectionParams p;
+  p.spectra = Spectra::Mann;
+  p.averaging_time_s = 1e6;
+  p.max_frequency_hz = 1000.0;
+  EXPECT_NEAR(Correction(p).u_variance(16.0), 1.0, 2e-3);
+  const Correction c(CorrectionParams{.spectra = Spectra::Mann});
+  const Vec3 left = beam_direction(0.2, 0.1), right = beam_direction(-0.2, 0.1);
+  EXPECT_NEAR(c.c_ti(left, 12.0, 0.15), c.c_ti(right, 12.0, -0.15), 1e-9);
+  const std::vector<double> several = c.c_ti(left, {8.0, 12.0}, 0.15);
+  EXPECT_EQ(several[1], c.c_ti(left, 12.0, 0.15));
+}
+
 }  // namespace
 }  // namespace lac

@@ -82,6 +82,18 @@ TEST(TiEstimatorParams, Options) {
   EXPECT_TRUE(p.correction.aliasing);
 }
 
+// Mann's parameters are those of IEC for the hub height unless given.
+TEST(TiEstimatorParams, Mann) {
+  const TiEstimatorParams iec = parse(kMinimal + "mann ! Spectra - x\n");
+  EXPECT_EQ(iec.correction.spectra, Spectra::Mann);
+  EXPECT_DOUBLE_EQ(iec.correction.mann.length_m, 33.6);
+  EXPECT_EQ(iec.correction.mann.gamma, 3.9);
+  const TiEstimatorParams own =
+      parse(kMinimal + "mann ! Spectra - x\n49 ! MannLength - x\n3.1 ! MannAnisotropy - x\n");
+  EXPECT_EQ(own.correction.mann.length_m, 49.0);
+  EXPECT_EQ(own.correction.mann.gamma, 3.1);
+}
+
 // Competitors, what drives the power level, and what comes from LDP; all off by default.
 TEST(TiEstimatorParams, Competitors) {
   const TiEstimatorParams plain = parse(kMinimal);
@@ -121,6 +133,11 @@ TEST(TiEstimatorParams, Mistakes) {
   expect("linear ! Detrending - x\nexponential ! Window - x\n", "Detrending", "sliding window");
   expect("phase ! VolumeModel - x\nindependent ! LateralCoherence - x\n", "LateralCoherence",
          "contradicts");
+  expect("40 ! MannLength - x\n", "MannLength", "without Spectra mann");
+  expect("mann ! Spectra - x\nphase ! VolumeModel - x\n", "VolumeModel", "full");
+  expect("mann ! Spectra - x\nsame_as_u ! LateralCoherence - x\n", "LateralCoherence", "kaimal");
+  expect("mann ! Spectra - x\ntrue ! EstimateTurbine - x\n65 ! RotorRadius - x\n",
+         "EstimateTurbine", "kaimal");
   expect("1 2 ! GateWeights - x\n", "GateWeights", "NumberOfGates");
   expect("0 ! PowerLevelRate - x\n", "PowerLevelRate", "found");
   expect("true ! UseYawErorr - x\n", "UseYawErorr", "UseYawError");
