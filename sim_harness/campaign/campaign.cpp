@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -69,6 +70,27 @@ fs::path program_path() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
   return unknown ? fs::path("lac") : program;
+}
+
+constexpr const char* kStudyFile = "study.txt";  // of the folder: whose results these are
+
+/// The table of another study is not overwritten. Folders of earlier versions say nothing.
+void require_own_folder(const Study& study) {
+  std::ifstream in(study.folder / kStudyFile);
+  std::string name;
+  if (!std::getline(in, name) || name == study.file.filename().string()) return;
+  throw Error(study.folder.string() + ": holds the results of study '" + name + "', not of '" +
+              study.file.filename().string() +
+              "', and one folder has one table; --output names another folder (the same study "
+              "renamed: remove " +
+              kStudyFile + " there)");
+}
+
+void write_study_name(const Study& study) {
+  PartFile file(study.folder / kStudyFile);
+  const std::string line = study.file.filename().string() + '\n';
+  file.write(line.data(), line.size());
+  file.commit();
 }
 
 void write_commands(const CampaignPlan& plan) {
@@ -157,6 +179,7 @@ bool finish(CampaignPlan& plan, bool with_report, std::ostream& out) {
 bool run_campaign(const CampaignOptions& options, std::ostream& out) {
   CampaignPlan plan = plan_campaign(options.study, options.output);
   if (options.list) return list_cases(plan, out), true;
+  require_own_folder(plan.study);
   std::optional<FolderLock> lock;
   if (!options.dry_run) {
     lock.emplace(plan.study.folder);
@@ -172,6 +195,7 @@ bool run_campaign(const CampaignOptions& options, std::ostream& out) {
       out << command_line(plan.study, plan.cases[i], program_path()) << '\n';
     return true;
   }
+  write_study_name(plan.study);
   write_commands(plan);
   if (!orders.empty()) fly_orders(plan, std::move(orders), cases.size(), jobs, out);
   return finish(plan, options.report, out);

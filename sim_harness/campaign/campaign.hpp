@@ -17,10 +17,11 @@ struct CampaignOptions {
 };
 
 /// Flies what is not done of a study, over all cores, and writes its table of results:
-/// <folder>/cases.txt (the commands, first), cases/<case>/ with a marker each, results.csv, and if
-/// there are controllers to compare report.html (last). What was done by the same program with the
-/// same inputs stays. The table goes to the folder also when the campaign is interrupted. True if
-/// every case is done. Throws lac::Error; no case's failure is one.
+/// <folder>/study.txt (its name) and cases.txt (the commands) first, cases/<case>/ with a marker
+/// each, results.csv and, if there are controllers to compare, report.html last. What was done by
+/// the same program with the same inputs stays. The table goes to the folder also when the
+/// campaign is interrupted. True if every case is done. Throws lac::Error, also if the folder holds
+/// the results of another study; no case's failure is one.
 bool run_campaign(const CampaignOptions& options, std::ostream& out);
 
 }  // namespace lac::sim

@@ -172,6 +172,37 @@ TEST_F(CampaignTest, DryRunAndList) {
               ContainsRegex("run .*seed=1 .*--mark\n.*seed=2 .*--mark\n"));
 }
 
+// Two controllers: a page with their comparison, unless it is switched off. One: said.
+TEST_F(CampaignTest, Report) {
+  files_.study(kTurbulence);
+  CampaignOptions options;
+  options.report = false;
+  EXPECT_TRUE(files_.fly(options));
+  EXPECT_FALSE(fs::exists(files_.folder.path("results/report.html")));
+  options.report = true;
+  EXPECT_TRUE(files_.fly(options));
+  EXPECT_THAT(files_.said.str(), HasSubstr("wrote " + files_.folder.file("results/report.html")));
+  EXPECT_THAT(bytes("results/report.html"), HasSubstr("From A = toy to B = other: all runs"));
+  files_.study("ranges: {seed: [1, 2]}\n");
+  options.output = files_.folder.path("one");
+  EXPECT_TRUE(files_.fly(options));
+  EXPECT_THAT(files_.said.str(), HasSubstr("no report: one controller, nothing to compare"));
+  EXPECT_FALSE(fs::exists(files_.folder.path("one/report.html")));
+}
+
+// Another study does not overwrite the table; the same one goes on.
+TEST_F(CampaignTest, FolderOfAnotherStudy) {
+  files_.study("ranges: {seed: [1]}\n");
+  EXPECT_TRUE(files_.fly(1));
+  const std::string table = files_.table();
+  files_.folder.write("results/study.txt", "other.yaml\n");
+  EXPECT_THAT(test::error_text([&] { files_.fly(1); }),
+              HasSubstr("holds the results of study 'other.yaml', not of 'study.yaml'"));
+  EXPECT_EQ(files_.table(), table);
+  files_.folder.write("results/study.txt", "study.yaml\n");
+  EXPECT_TRUE(files_.fly(1));
+}
+
 // One campaign at a time in a folder.
 TEST_F(CampaignTest, FolderIsLocked) {
   files_.study("ranges: {seed: [1]}\n");
