@@ -33,6 +33,7 @@
       title: quantity().name, unit: quantity().unit, xLabel: "Mean wind speed [m/s]",
       x: padded(extentOf(speeds), 0.09), y: padded(extentOf(all.map((p) => p.y)), 0.06),
       points: [...points, ...means.flat()],
+      ticks: speeds.length <= 12 ? speeds.map((speed) => ({at: speed, text: String(speed)})) : undefined,
       lines: (line) => means.forEach((m, c) => { if (shown(c)) line(c, m.map((p) => [p.x, p.y])); }),
     };
   }

@@ -37,9 +37,9 @@ std::string row_heading(const std::string& name, const std::string& unit) {
   return "<th scope=\"row\" data-unit=\"" + html_text(unit) + "\">" + html_text(name) + "</th>";
 }
 
-std::string table(const std::string& head, const std::string& body) {
-  return "<div class=\"table-wrap\"><table class=\"sortable\">\n<thead><tr>" + head +
-         "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
+std::string table(const std::string& label, const std::string& head, const std::string& body) {
+  return "<div class=\"table-wrap\"><table class=\"sortable\" aria-label=\"" + html_text(label) +
+         "\">\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n";
 }
 
 std::string speed_text(double speed_mps) {
@@ -102,7 +102,8 @@ std::string over_a_life(const Comparison& c) {
   for (const QuantityChange& q : c.quantities)
     if (q.life) body += life_row(q, widest);
   if (body.empty()) return "<p class=\"hint\">No quantity is there at every wind speed.</p>";
-  return table(heading("Quantity") + "<th scope=\"col\" class=\"unit\">Unit</th>" +
+  return table("Change over a life",
+               heading("Quantity") + "<th scope=\"col\" class=\"unit\">Unit</th>" +
                    heading("A: " + c.a) + heading("B: " + c.b) + heading("Change") +
                    heading("Interval") + heading("Significance"),
                body);
@@ -119,7 +120,7 @@ std::string by_speed(const Comparison& c) {
     for (const std::optional<Change>& change : q.at_speed) body += change_cell(q, change);
     body += "</tr>\n";
   }
-  return table(head, body);
+  return table("Change by wind speed", head, body);
 }
 
 /// The same with these quantities alone, so that what is counted in the notes is what is shown.
@@ -159,7 +160,7 @@ std::string life_html(const LifeTable& life, const std::vector<std::string>& sho
     for (const double value : q->at_speed) body += value_cell(value);
     body += (q->life ? value_cell(*q->life) : cell("-")) + "</tr>\n";
   }
-  return table(head + heading("life"), body);
+  return table(life.name + " by wind speed", head + heading("life"), body);
 }
 
 std::string lives_html(const CampaignReport& report) {
@@ -181,7 +182,9 @@ std::string not_done_html(const CampaignReport& report) {
   if (body.empty()) return {};
   return "<section aria-labelledby=\"not-done-heading\"><h2 id=\"not-done-heading\">Not "
          "done</h2>\n" +
-         table(heading("Case") + heading("Status") + heading("Reason"), body) + "</section>\n";
+         table("Cases that are not done", heading("Case") + heading("Status") + heading("Reason"),
+               body) +
+         "</section>\n";
 }
 
 std::string fixed_html(const CampaignReport& report) {
@@ -200,7 +203,7 @@ std::string notes_html(const CampaignReport& report) {
 
 std::filesystem::path page_beside(const std::filesystem::path& folder_or_table) {
   const std::filesystem::path table = result_table_of(folder_or_table);
-  const std::string stem = table.stem() == "results" ? "report" : table.stem().string();
+  const std::string stem = table.filename() == "results.csv" ? "report" : table.stem().string();
   return table.parent_path() / (stem + ".html");
 }
 

@@ -79,18 +79,16 @@ class Reader {
   }
 
   std::string title() const {
-    if (!options_.title.empty()) return options_.title;
-    const fs::path file = fs::weakly_canonical(tables_.front().file());
-    return file.stem() == "results" ? file.parent_path().filename().string() : file.stem().string();
+    return options_.title.empty() ? table_name(tables_.front().file()) : options_.title;
   }
 
  private:
   ReportedController controller(std::size_t table, const std::string& name,
                                 const RunTableOptions& runs) const {
     ReportedController c{name, runs_of_table(tables_[table], name, runs), {}};
-    const std::string stem = tables_[table].file().stem().string();
-    if (name.empty()) c.name = stem;
-    if (!name.empty() && tables_.size() > 1) c.name = stem + " " + name;
+    const std::string of_table = table_name(tables_[table].file());
+    if (name.empty()) c.name = of_table;
+    if (!name.empty() && tables_.size() > 1) c.name = of_table + " " + name;
     c.runs.name = c.name;
     for (const RunTable::Run& run : c.runs.runs)
       c.rows.push_back(rows_.row_of_table[table][run.row]);

@@ -13,6 +13,16 @@ namespace {
 constexpr const char* kTableColumn = "table";
 constexpr const char* kTableOfCampaign = "results.csv";
 
+void require_distinct_names(const std::vector<CsvTable>& tables) {
+  std::map<std::string, fs::path> files;
+  for (const CsvTable& table : tables) {
+    const auto [found, is_new] = files.emplace(table_name(table.file()), table.file());
+    if (is_new) continue;
+    throw Error(table.file().string() + ": is called '" + found->first + "' as " +
+                found->second.string() + "; several tables need names of their own");
+  }
+}
+
 void add_table(const CsvTable& table, std::size_t number, bool named, const RunTableOptions& o,
                ResultRows& rows) {
   std::vector<std::size_t> place;
@@ -24,7 +34,7 @@ void add_table(const CsvTable& table, std::size_t number, bool named, const RunT
   rows.row_of_table[number].assign(table.rows(), ResultRows::kNone);
   for (const std::size_t row : chosen_rows(table, o)) {
     std::vector<std::string> cells(rows.columns.size());
-    if (named) cells[0] = table.file().stem().string();
+    if (named) cells[0] = table_name(table.file());
     for (std::size_t c = 0; c < place.size(); ++c) cells[place[c]] = table.text(row, c);
     rows.row_of_table[number][row] = rows.cells.size();
     rows.cells.push_back(std::move(cells));
@@ -54,6 +64,11 @@ fs::path result_table_of(const fs::path& folder_or_file) {
       ", expected the folder of a campaign; `lac stats --csv` makes a table of time series");
 }
 
+std::string table_name(const fs::path& file) {
+  if (file.filename() != kTableOfCampaign) return file.stem().string();
+  return fs::weakly_canonical(file).parent_path().filename().string();
+}
+
 std::size_t ResultRows::column(const std::string& name) const {
   const auto found = std::ranges::find(columns, name);
   return found == columns.end() ? kNone : static_cast<std::size_t>(found - columns.begin());
@@ -64,6 +79,7 @@ ResultRows result_rows(const std::vector<CsvTable>& tables, const RunTableOption
   rows.row_of_table.resize(tables.size());
   const bool named = tables.size() > 1;
   if (named) rows.columns.emplace_back(kTableColumn);
+  require_distinct_names(tables);
   for (std::size_t i = 0; i < tables.size(); ++i) add_table(tables[i], i, named, options, rows);
   return rows;
 }

@@ -15,6 +15,9 @@ namespace lac::sim {
 /// the folder has none.
 std::filesystem::path result_table_of(const std::filesystem::path& folder_or_file);
 
+/// What a table is called: its file without ending; of results.csv the folder.
+std::string table_name(const std::filesystem::path& file);
+
 /// The rows of one or several tables below each other, as text.
 struct ResultRows {
   std::vector<std::string> columns;             // all that there are, in the order they come up
@@ -27,8 +30,8 @@ struct ResultRows {
   std::size_t column(const std::string& name) const;
 };
 
-/// Rows that meet the conditions (where). With several tables the name of a table's file stands in
-/// the first column, "table".
+/// Rows that meet the conditions (where). With several tables their names stand in the first
+/// column, "table". Throws lac::Error if two have the same name.
 ResultRows result_rows(const std::vector<CsvTable>& tables, const RunTableOptions& options);
 
 /// A column that tells rows apart: what was flown. Not a figure, no bookkeeping, not the

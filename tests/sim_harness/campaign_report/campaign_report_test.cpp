@@ -184,6 +184,10 @@ TEST_F(CampaignReportTest, SeveralTables) {
   EXPECT_THAT(r.views[0].comparisons, IsEmpty());  // the parameters of one run do not differ
   ASSERT_EQ(r.notes.size(), 1U);
   EXPECT_THAT(r.notes[0], HasSubstr("not compared: no run of 'old' (2) has a partner"));
+  options_.inputs[1] = options_.inputs[0];
+  EXPECT_THAT(test::error_text([&] { campaign_report(options_); }),
+              HasSubstr("is called 'old' as "));
+  EXPECT_EQ(table_name("study/results.csv"), "study");
 }
 
 // Folders: the table of a campaign in them, the page beside it. No table, no run: said.

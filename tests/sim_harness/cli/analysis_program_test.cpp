@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `lac stats`, `lac compare` and `lac correlate` on the command line: options reach the commands.
+// `lac stats`, `lac compare`, `lac report` and `lac correlate` on the command line: options reach
+// the commands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -80,6 +81,24 @@ TEST_F(AnalysisProgramTest, Life) {
   EXPECT_THAT(out(), HasSubstr("energy of a year from GenPwr_mean"));
   EXPECT_EQ(lac("life t.csv"), 1);
   EXPECT_THAT(error(), HasSubstr("has 2 controllers (fb, lac), expected 1; --controller names it"));
+}
+
+// A page beside the table or where it is wanted; what it is made from.
+TEST_F(AnalysisProgramTest, Report) {
+  ASSERT_EQ(lac("report t.csv --quantities TwrBsMyt_del4 --title Two --confidence 0.9 "
+                "--iec-class III"),
+            0)
+      << error();
+  EXPECT_THAT(out(), HasSubstr("wrote t.html"));
+  const std::string page = folder_.read("t.html");
+  EXPECT_THAT(page, HasSubstr("<title>Two</title>"));
+  EXPECT_THAT(page, HasSubstr("From A = fb to B = lac: class = A"));
+  EXPECT_THAT(page, HasSubstr("90 % interval"));
+  EXPECT_THAT(page, HasSubstr("scale 8.46 m/s"));
+  ASSERT_EQ(lac("report t.csv -o p.html --baseline lac --where class=B"), 0) << error();
+  EXPECT_THAT(folder_.read("p.html"), HasSubstr("From A = lac to B = fb: all runs"));
+  EXPECT_EQ(lac("report ."), 1);
+  EXPECT_THAT(error(), HasSubstr("has no results.csv"));
 }
 
 // Tables of loads of two conventions do not compare.
