@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/swap_layout.hpp"
 #include "core/units.hpp"
-#include "sim_harness/lidar/number_table.hpp"
+#include "sim_harness/tables/number_table.hpp"
 
 namespace lac::sim {
 namespace {

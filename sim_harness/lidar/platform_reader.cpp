@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "sim_harness/lidar/number_table.hpp"
+#include "sim_harness/tables/number_table.hpp"
 #include "sim_harness/lidar/platform_motion.hpp"
 
 namespace lac::sim {

@@ -163,6 +163,9 @@ TEST_F(ScanPatternTest, FaultsOfABeamFile) {
   EXPECT_THAT(error_with("10 0 0.5\n90 0 0.5\n"),
               HasSubstr("beams.txt:2: azimuth_deg: found 90, expected"));
   EXPECT_THAT(error_with("10 0 0.5 -3\n"), HasSubstr("beams.txt:1: focus_m: found -3"));
+  EXPECT_THAT(error_with("\xEF\xBB\xBF+10,0 5D-1 -3\r\n"),
+              HasSubstr("beams.txt:1: focus_m: found -3"));
+  EXPECT_THAT(error_with(std::string("10 0\0 1\n", 8)), HasSubstr("bytes that are no text"));
 }
 
 }  // namespace
