@@ -35,9 +35,10 @@ PUBLISHED = {
 
 
 def lac(*words):
-    done = subprocess.run([LAC, *map(str, words)], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit("lac %s: %s" % (" ".join(map(str, words)), done.stderr))
+    """Without what it prints; its progress and its errors are seen."""
+    words = [LAC, *map(str, words)]
+    if subprocess.run(words, stdout=subprocess.DEVNULL, check=False).returncode != 0:
+        sys.exit("failed: " + " ".join(words))
 
 
 def rows_of(path):
