@@ -8,7 +8,10 @@
   const usable = (v) => v !== null && Number.isFinite(v);
   const significant = (v, digits) => usable(v) ? grouped(String(Number(v.toPrecision(digits)))) : "n/a";
   const percent = (share) => usable(share) ? (share < 0 ? "\u2212" : "+") + Math.abs(100 * share).toFixed(2) + " %" : "n/a";
-  const rowText = (row) => report.varied.map((c) => report.columns[c].name + " " + report.rows[row][c]).join(", ");
+  const file = report.columns.findIndex((c) => c.name === "file");
+  const told = report.varied.filter((c) => report.columns[c].name !== "table");
+  const rowText = (row) => [...(file < 0 ? [] : [report.rows[row][file]]),
+    ...told.map((c) => report.columns[c].name + " " + report.rows[row][c])].join(", ");
   const speedText = (v) => grouped(String(v)) + " m/s";
 
   function spacingOf(speeds) {

@@ -60,7 +60,8 @@ function makeXYPlot(holder, series, description, content) {
       context.strokeStyle = theme.grid;
       strokeLine(context, px, inner.y, px, inner.y + inner.h);
       context.fillStyle = theme.muted;
-      context.fillText(text, px, inner.y + inner.h + 6);
+      const half = context.measureText(text).width / 2, last = inner.x + inner.w + margins(0).right - half;
+      context.fillText(text, Math.min(px, last), inner.y + inner.h + 6);
     }
     context.fillText(plot.content.xLabel, inner.x + inner.w / 2, inner.y + inner.h + 23);
     context.strokeStyle = theme.line;
@@ -137,12 +138,14 @@ function makeXYPlot(holder, series, description, content) {
       context.fillRect(Math.min(from.x, to.x), Math.min(from.y, to.y), Math.abs(to.x - from.x), Math.abs(to.y - from.y));
     }
     if (plot.at === null) return;
+    pointReadout.textContent = plot.at.text;
+    const {x, y} = axes(), within = (v, {low, high}) => v >= low && v <= high;
+    if (!within(plot.at.x, x) || !within(plot.at.y, y)) return;
     context.strokeStyle = theme.ink;
     context.lineWidth = 1.5;
     context.beginPath();
     context.arc(plot.xAt(plot.at.x), plot.yAt(plot.at.y), 8, 0, 2 * Math.PI);
     context.stroke();
-    pointReadout.textContent = plot.at.text;
   }
 
   function setZoom(x, y) {
