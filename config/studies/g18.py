@@ -7,6 +7,7 @@
 """
 
 import csv
+import math
 import pathlib
 import statistics
 import subprocess
@@ -104,9 +105,10 @@ def decay(spectra, distance, speed):
             for s in spectra for r in s]
 
     def error(alpha):
-        return sum(s * (c - 2.718281828459045 ** (-alpha * f * distance / speed)) ** 2
+        return sum(s * (c - math.exp(-alpha * f * distance / speed)) ** 2
                    for f, c, s in rows)
-    return min((0.05 * k for k in range(1, 1200)), key=error)
+    near = min(range(1, 60), key=error)
+    return min((near + 0.02 * k for k in range(-49, 50)), key=error)
 
 
 def main():
