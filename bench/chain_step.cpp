@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of one controller step at 80 Hz, as the host sees it: the master with its four secondaries
-// and a lidar, the feedback-only chain, ldp by itself with little and with all to do, and one call
-// of an unmodified ROSCO without its log.
+// and a lidar, the same with the live monitor, the feedback-only chain, ldp by itself with little and
+// with all to do, the monitor by itself, and one call of an unmodified ROSCO without its log.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -67,6 +67,39 @@ void lidar_assisted_chain(benchmark::State& state) {
   run(state, caller, true);
 }
 BENCHMARK(lidar_assisted_chain);
+
+void watched_chain(benchmark::State& state) {
+  test::DisconCaller caller("liblac_wrapper", LAC_SOURCE_DIR "/config/nrel5mw/wrapper_monitor.IN",
+                            kExtendedArraySize);
+  run(state, caller, true);
+}
+BENCHMARK(watched_chain);
+
+/// The monitor by itself, called as by the master, with a lidar that leads by 4 s.
+void monitor_alone(benchmark::State& state) {
+  test::DisconCaller caller("liblac_monitor", LAC_SOURCE_DIR "/config/nrel5mw/monitor.IN");
+  const auto inputs = bench::recorded_inputs();
+  std::size_t step = 0;
+  const auto one = [&](int status) {
+    const bench::HostInput& now = inputs[step % kRecorded];
+    const double rews_mps = static_cast<double>(inputs[(step + 320) % kRecorded].wind_mps);
+    bench::set_inputs(caller.swap(), now);
+    caller.swap().set(Rec::LidarRews, rews_mps);
+    caller.swap().set(Rec::LidarRewsLead, 4.0);
+    caller.swap().set(Rec::LidarRewsValid, 1.0);
+    caller.swap().set(Rec::FeedforwardCutOff, 0.05);
+    caller.swap().set(Rec::FeedforwardBufferTime, 1.8);
+    caller.swap().set(Rec::RewsBuffered, static_cast<double>(now.wind_mps));
+    ++step;
+    return caller.call(status);
+  };
+  if (one(0) < 0) return state.SkipWithError(caller.message().c_str());
+  for (int i = 0; i < 8000; ++i) one(1);
+  while (state.KeepRunning()) {
+    if (one(1) < 0) return state.SkipWithError(caller.message().c_str());
+  }
+}
+BENCHMARK(monitor_alone);
 
 void feedback_only_chain(benchmark::State& state) {
   test::DisconCaller caller("liblac_wrapper", LAC_SOURCE_DIR "/config/nrel5mw/wrapper_fb.IN",

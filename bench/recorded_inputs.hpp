@@ -32,6 +32,8 @@ inline std::vector<HostInput> recorded_inputs() {
 inline void set_inputs(SwapView swap, const HostInput& in) {
   swap.set(Rec::GeneratorSpeed, static_cast<double>(in.generator_speed_radps));
   swap.set(Rec::RotorSpeed, static_cast<double>(in.rotor_speed_radps));
+  swap.set(Rec::GeneratorTorque, 43093.55);
+  swap.set(Rec::GeneratorContactor, 1.0);
   swap.set(Rec::HubWindSpeed, static_cast<double>(in.wind_mps));
   swap.set(Rec::PitchBlade1, static_cast<double>(in.pitch_rad));
   swap.set(Rec::PitchBlade2, static_cast<double>(in.pitch_rad));

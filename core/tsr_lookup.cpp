@@ -17,6 +17,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRounding_rad = 1e-5;
 // Newton from the outer end of an interval of the table: quadratic, and the interval is narrow.
 constexpr int kNewtonSteps = 6;
+constexpr double kExact = 1e-7;  // of the last step: its square is left
 
 }  // namespace
 
@@ -53,7 +54,9 @@ double TsrLookup::solve(const Column& cp, std::size_t row, double target) const 
   for (int i = 0; i < kNewtonSteps; ++i) {
     const double gradient = slope - 3.0 * target * x * x;
     if (gradient == 0.0) break;
-    x -= (at_zero + slope * x - target * x * x * x) / gradient;
+    const double change = (at_zero + slope * x - target * x * x * x) / gradient;
+    x -= change;
+    if (std::abs(change) < kExact * x) break;
   }
   return x;
 }

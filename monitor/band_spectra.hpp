@@ -21,7 +21,8 @@ class BandSpectra {
  public:
   BandSpectra() = default;
   BandSpectra(const std::vector<double>& frequency_hz, double half_width_hz, double tick_s)
-      : smoothing_(1.0 - std::exp(-radps_from_hz(half_width_hz / kHalfWidthPerPole) * tick_s)) {
+      : smoothing_(1.0 - std::exp(-radps_from_hz(half_width_hz / kHalfWidthPerPole) * tick_s)),
+        noise_bandwidth_hz_(0.5 * kPi * half_width_hz / kHalfWidthPerPole) {
     for (const double f : frequency_hz) {
       const double angle = -radps_from_hz(f) * tick_s;
       Band b;
@@ -88,13 +89,25 @@ class BandSpectra {
   }
 
   /// Share of x that leaves the least of y, over all bands: sum of Re S_xy over sum of S_xx.
-  double slope() const noexcept {
+  struct Slope {
+    double value = 0.0;
+    double deviation = 0.0;  // standard, after as long as this
+  };
+  /// The deviation is that of a gain from n products, |slope| sqrt((1 - c)/(2 c n)) (Bendat and
+  /// Piersol), c the mean coherence; each band gives its noise bandwidth times the time.
+  Slope slope(double time_s) const noexcept {
+    Slope s;
     double xy = 0.0, xx = 0.0;
     for (const Band& b : bands_) {
       xy += b.xy_re;
       xx += b.xx;
     }
-    return xx > 0.0 ? xy / xx : 0.0;
+    if (!(xx > 0.0)) return s;
+    s.value = xy / xx;
+    const double c = mean_coherence(bands_.back().frequency_hz);
+    const double products = static_cast<double>(bands_.size()) * noise_bandwidth_hz_ * time_s;
+    if (c > 0.0) s.deviation = std::abs(s.value) * std::sqrt((1.0 - c) / (2.0 * c * products));
+    return s;
   }
 
   void visit(StateArchive& a) { a(bands_); }
@@ -112,6 +125,7 @@ class BandSpectra {
   }
 
   double smoothing_ = 1.0;
+  double noise_bandwidth_hz_ = 0.0;
   std::vector<Band> bands_;
 };
 

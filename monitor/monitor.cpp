@@ -149,14 +149,21 @@ void Monitor::judge(const Inputs& in, double behind_s, Evidence& e, State& s) co
   const double highest_hz = in.cutoff_hz > 0.0 ? in.cutoff_hz : params_.band_hz.back();
   const bool acts = s.acted_s >= params_.learning_s;
   out.coherence = e.coherence = s.lidar_bands.mean_coherence(highest_hz);
-  out.gain = e.gain = (acts ? s.feedforward_bands : s.lidar_bands).slope();
+  const BandSpectra::Slope slope =
+      acts ? s.feedforward_bands.slope(std::min(s.acted_s, 2.0 * params_.memory_s))
+           : s.lidar_bands.slope(std::min(s.compared_s, 2.0 * params_.memory_s));
+  out.gain = slope.value;
+  e.gain = slope.value + slope.deviation;
   out.mean_ratio = e.mean_ratio = s.turbine_long.mean() / s.lidar_long.mean();
   out.delay_s = in.lead_s - 0.5 * in.window_s + behind_s;
   out.late_s = off_time_s(in) - behind_s;
   const double trimmed_s =
       std::clamp(out.trim_s - out.late_s, -params_.maximum_trim_s, params_.maximum_trim_s);
-  e.late_s = out.late_s + trimmed_s - out.trim_s;  // what trimming cannot mend
-  if (!acts || e.coherence < params_.authority.coherence_on || !std::isfinite(trimmed_s)) return;
+  const bool delay_is_sure = s.compared_s >= params_.memory_s;
+  if (delay_is_sure) e.late_s = out.late_s + trimmed_s - out.trim_s;  // what trimming cannot mend
+  if (!acts || !delay_is_sure || e.coherence < params_.authority.coherence_on ||
+      !std::isfinite(trimmed_s))
+    return;
   const double change_s = (trimmed_s - out.trim_s) * tick_s_ / params_.trim_time_s;
   out.trim_s += std::clamp(change_s, -kTrimRate * tick_s_, kTrimRate * tick_s_);
 }

@@ -35,10 +35,12 @@ struct TickMean {
 ///   coherence   of x and y in bands up to the cut-off in use
 ///   gain        slope of y over f in the bands (over x as long as there is no f): the share of the
 ///               feedforward that leaves the least of the wind to the feedback. Wrong timing, wrong
-///               size and lack of coherence all lower it; below 1/2 the feedforward does harm
+///               size and lack of coherence all lower it; below 1/2 the feedforward does harm. What
+///               is judged is the slope and one standard deviation: a doubt is for the lidar
 ///   late        how much later than the wind the feedforward acts, from its own buffer time:
 ///               T_buffer + atan(w/w_c)/w + T_actuator - (lead - window/2) - delay, at w of
-///               DelayFrequency (GUO eq. 40, HM eq. 26); without a feedforward - delay
+///               DelayFrequency (GUO eq. 40, HM eq. 26); without a feedforward - delay. The peak
+///               of a short record may be a wrong one: it counts once `memory` has been compared
 ///   mean ratio  of y and x, with their slow part
 ///
 /// All sums forget alike: exact means until `memory` has been compared, exponential then. Behind a

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <random>
 
 #include "monitor/band_spectra.hpp"
@@ -170,7 +171,7 @@ TEST(BandSpectraTest, WindOfKnownDelayAndGain) {
     expected += b.xx * 0.8 * std::cos(radps_from_hz(b.frequency_hz) * 0.9);
     weight += b.xx;
   }
-  EXPECT_NEAR(s.slope(), expected / weight, 0.02);
+  EXPECT_NEAR(s.slope(800.0).value, expected / weight, 0.02);
 }
 
 // Noise of known share: coherence S^2/((S + N)(S + N)) by the share in the bands; independent
@@ -186,6 +187,29 @@ TEST(BandSpectraTest, CoherenceInNoise) {
   }
   EXPECT_NEAR(half.mean_coherence(1.0), 0.25, 0.04);
   EXPECT_LT(none.mean_coherence(1.0), 0.01);
+}
+
+// The stated deviation of the slope is that of many records, within a third.
+TEST(BandSpectraTest, DeviationOfTheSlope) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  const int records = 300, ticks = 1500;  // 300 s each
+  double sum = 0.0, squares = 0.0, stated = 0.0;
+  for (int k = 0; k < records; ++k) {
+    BandSpectra s({0.02, 0.05, 0.08}, 0.01, kTick_s);
+    for (int n = 0; n < ticks; ++n) {
+      const double x = normal(random);
+      s.add(x, x + normal(random), 1.0 / (n + 1.0));
+    }
+    const BandSpectra::Slope slope = s.slope(ticks * kTick_s);
+    sum += slope.value;
+    squares += slope.value * slope.value;
+    stated += slope.deviation / records;
+  }
+  const double mean = sum / records, deviation = std::sqrt(squares / records - mean * mean);
+  std::cout << "slope " << mean << " +- " << deviation << ", stated " << stated << '\n';
+  EXPECT_NEAR(mean, 1.0, 4.0 * deviation / std::sqrt(records));
+  EXPECT_NEAR(stated, deviation, deviation / 3.0);
 }
 
 // Bands above the cut-off do not count, the lowest always does.

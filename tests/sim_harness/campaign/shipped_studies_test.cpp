@@ -28,6 +28,15 @@ TEST(ShippedStudies, Dlc12) {
   EXPECT_EQ(winds.size(), 126U);
 }
 
+// 480 cases; all faults of the lidar in one wind, the turned wind in another.
+TEST(ShippedStudies, Robust) {
+  const std::vector<StudyCase> cases = checked("robust.yaml");
+  EXPECT_EQ(cases.size(), 480U);
+  std::set<std::string> winds;
+  for (const StudyCase& c : cases) winds.insert(c.wind);
+  EXPECT_EQ(winds.size(), 48U);
+}
+
 // The quick one to its end.
 TEST(ShippedStudies, Quick) {
   EXPECT_EQ(checked("quick.yaml").size(), 18U);
