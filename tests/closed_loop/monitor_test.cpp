@@ -52,7 +52,9 @@ struct Winds {
   std::vector<double> rotor_mps, found_mps;
 };
 Winds winds_of_flight(double mean_mps) {
-  const CaseFlight flight("demo.yaml", {"wind.mean_speed_mps=" + std::to_string(mean_mps)});
+  const CaseFlight flight("demo.yaml",
+                          {"wind.mean_speed_mps=" + std::to_string(mean_mps),
+                           "time.duration_s=" + std::string(kSanitized ? "160" : "660")});
   const sim::Recording r = flight.fly(0).recording;
   const auto wind = r.column("RtVAvgxh"), speed_rpm = r.column("GenSpeed"),
              torque_kNm = r.column("GenTq"), pitch_deg = r.column("BldPitch1");
@@ -76,6 +78,7 @@ Winds winds_of_flight(double mean_mps) {
 // coherence at least 0.99 up to 0.1 Hz, and late by what delay_s() says, within 0.05 s.
 TEST(TurbineRewsOfTurbine, InTurbulence) {
   for (const double mean_mps : {9.0, 18.0}) {
+    if (kSanitized && mean_mps > 9.0) break;
     const Winds w = winds_of_flight(mean_mps);
     const auto moments = [](const std::vector<double>& v) {
       double sum = 0.0, squares = 0.0;
@@ -101,7 +104,8 @@ TEST(TurbineRewsOfTurbine, InTurbulence) {
     std::cout << mean_mps << " m/s: mean " << found / rotor - 1.0 << ", std "
               << found_std / rotor_std - 1.0 << ", least coherence up to 0.1 Hz " << lowest
               << ", delay " << peak.delay_s << " s (" << delay_s << " s)\n";
-    EXPECT_NEAR(found, rotor, 0.001 * rotor);
+    EXPECT_NEAR(found, rotor, (kSanitized ? 0.01 : 0.001) * rotor);
+    if (kSanitized) break;  // too short for the rest
     EXPECT_NEAR(found_std, rotor_std, 0.01 * rotor_std);
     EXPECT_GT(lowest, 0.99);
     EXPECT_NEAR(peak.delay_s, delay_s, 0.05);
@@ -156,9 +160,9 @@ TEST_F(MonitorFlights, LidarThatSaysDouble) {
   const double watched = std_rpm("nrel5mw/wrapper_monitor.IN", twice, 1);
   std::cout << "over feedback: " << plain / feedback_std_rpm() << ", with the monitor "
             << watched / feedback_std_rpm() << '\n';
-  if (!kSanitized) {
-    EXPECT_GT(plain, 1.03 * feedback_std_rpm());
-  }
+  EXPECT_LT(watched, plain);
+  if (kSanitized) return;  // ends before the rest has paid for the start
+  EXPECT_GT(plain, 1.03 * feedback_std_rpm());
   EXPECT_LT(watched, 1.03 * feedback_std_rpm());
 }
 
@@ -171,12 +175,14 @@ TEST_F(MonitorFlights, EverydayFaults) {
       {"missing", {.kind = LidarFaultKind::kMissing, .share = 0.5}},
       {"beam", {.kind = LidarFaultKind::kStuckBeam, .beam_id = 0}}};
   for (const auto& [name, fault] : faults) {
+    if (kSanitized && name != "high") continue;
     const bool biased = fault.kind == LidarFaultKind::kBias;
     const double watched = std_rpm("nrel5mw/wrapper_monitor.IN", fault, biased ? 1 : 0);
     std::cout << name << " over feedback: " << watched / feedback_std_rpm() << '\n';
     EXPECT_LT(watched, 1.03 * feedback_std_rpm()) << name;
   }
   for (const std::string which : {"early", "late"}) {
+    if (kSanitized && which == "late") break;
     const double watched = std_rpm("studies/robust/wrapper_" + which + "_monitor.IN", {}, 0);
     std::cout << which << " over feedback: " << watched / feedback_std_rpm() << '\n';
     EXPECT_LT(watched, 1.03 * feedback_std_rpm()) << which;
