@@ -140,8 +140,11 @@ double Monitor::measured_delay_s(State& s) const noexcept {
 double Monitor::off_time_s(const Inputs& in) const noexcept {
   if (!std::isfinite(in.buffer_time_s) || !(in.cutoff_hz > 0.0)) return 0.0;
   const double w = radps_from_hz(params_.delay_frequency_hz);
-  const double filter_s = std::atan(w / radps_from_hz(in.cutoff_hz)) / w;
-  return in.buffer_time_s + filter_s + params_.actuator_delay_s - in.lead_s + 0.5 * in.window_s;
+  const double wc = radps_from_hz(in.cutoff_hz);
+  const double lag_rad = params_.filter_order == 1
+                             ? std::atan(w / wc)
+                             : std::atan2(2.0 * params_.filter_damping * w * wc, wc * wc - w * w);
+  return in.buffer_time_s + lag_rad / w + params_.actuator_delay_s - in.lead_s + 0.5 * in.window_s;
 }
 
 void Monitor::judge(const Inputs& in, double behind_s, Evidence& e, State& s) const noexcept {

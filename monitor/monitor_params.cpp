@@ -38,6 +38,8 @@ void read_delay(InputFile& in, MonitorParams& p) {
   p.actuator_delay_s = in.number("ActuatorDelay", p.actuator_delay_s, Range::between(0.0, 10.0));
   p.delay_frequency_hz =
       in.number("DelayFrequency", p.delay_frequency_hz, Range::between(0.001, 1.0));
+  p.filter_order = in.integer("FilterOrder", p.filter_order, Range::between(1, 2));
+  p.filter_damping = in.number("FilterDamping", p.filter_damping, Range::between(0.05, 5.0));
   p.maximum_trim_s = in.number("MaximumTrim", p.maximum_trim_s, Range::between(0.0, 10.0));
   p.trim_time_s = in.number("TrimTime", p.trim_time_s, Range::between(50.0, 36000.0));
 }

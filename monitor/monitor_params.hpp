@@ -28,8 +28,10 @@ struct MonitorParams {
   double longest_lead_s = 60.0;
   double actuator_delay_s = 0.22;    // of all behind the feedforward; 1 Hz, damping 0.7
   double delay_frequency_hz = 0.08;  // at which the feedforward makes up for its filter
-  double maximum_trim_s = 0.0;       // 0: none
-  double trim_time_s = 100.0;        // the trim takes away the delay with this time constant
+  int filter_order = 1;              // of the feedforward's low-pass; 2: with this damping
+  double filter_damping = 0.7;
+  double maximum_trim_s = 0.0;  // 0: none
+  double trim_time_s = 100.0;   // the trim takes away the delay with this time constant
   AuthorityParams authority = {};
 
   /// Reads all keys and refuses unknown ones. Throws lac::Error with file, line and key.
