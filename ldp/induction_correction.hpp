@@ -34,7 +34,7 @@ struct InductionCorrectionParams {
 /// come from the same functions that the simulated lidar uses. Lateral wind passes as it is.
 ///
 /// q depends on the geometry alone. It is kept for each beam and gate until the gate has moved by
-/// kMove of the radius; error of c below 0.002 a.
+/// kMove of the radius; error of c below 0.005 a.
 class InductionCorrection {
  public:
   struct Place {
@@ -51,7 +51,7 @@ class InductionCorrection {
     void visit(StateArchive& a) { a(places), a(free_speed), a(factor); }
   };
 
-  static constexpr double kMove = 0.002;
+  static constexpr double kMove = 0.005;
 
   InductionCorrection() = default;
   explicit InductionCorrection(InductionCorrectionParams params) : params_(std::move(params)) {}
