@@ -94,6 +94,9 @@ class Ldp {
   void take_in(const Inputs& in, State& state) const noexcept;
   void project(const LidarMeasurement& m, const Projection& p, Winds& wind_mps,
                State& state) const noexcept;
+  /// Its induction is not a number if the gate has no place.
+  WindReconstruction::Sample sample(const LidarMeasurement& m, std::size_t gate,
+                                    const Projection& p, State& state) const noexcept;
   void correct(const LidarMeasurement& m, const Projection& p, Winds& wind_mps,
                State& state) const noexcept;
   double nearest_allowed_m(const Inputs& in, const State& state) const noexcept;

@@ -48,6 +48,23 @@ TEST(LdpParams, OpenFastDefaults) {
               HasSubstr("InterpolationOrder"));
 }
 
+// Keys of what is not used are refused, those of what is used are asked for.
+TEST(LdpParams, KeysOnDemand) {
+  const std::string good = kGood;
+  const std::string place = "90 ! HubHeight\n63 ! RotorRadius\n";
+  const std::string thrust = "5 15 ! InductionWindSpeed\n0.8 0.3 ! InductionThrust\n";
+  const std::string cylinder = good + "vortex_cylinder ! InductionModel\n";
+  EXPECT_EQ(refusal(cylinder + place + thrust), "accepted");
+  EXPECT_THAT(refusal(cylinder + place), HasSubstr("InductionWindSpeed"));
+  EXPECT_THAT(refusal(cylinder + thrust), HasSubstr("HubHeight"));
+  EXPECT_THAT(refusal(good + thrust), HasSubstr("InductionWindSpeed"));
+  EXPECT_THAT(refusal(cylinder + place + "5 15 ! InductionWindSpeed\n0.8 1.5 ! InductionThrust\n"),
+              HasSubstr("InductionThrust"));
+  EXPECT_THAT(refusal(good + "2 ! SpikeFloor\n"), HasSubstr("SpikeFloor"));
+  EXPECT_THAT(refusal(good + "9 ! AvailabilityAlarmTime\n"), HasSubstr("AvailabilityAlarmTime"));
+  EXPECT_THAT(refusal(good + "wind ! TravelSpeed\n"), HasSubstr("expected"));
+}
+
 // Nothing is shortened or lengthened in silence: what cannot be is refused with line and key.
 TEST(LdpParams, Mistakes) {
   const std::string good = kGood;
