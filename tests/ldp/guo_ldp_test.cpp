@@ -232,10 +232,11 @@ TEST(GuoLdpLibrary, BehindOurMaster) {
 TEST(GuoLdpLibrary, NoBlockIsToldOnce) {
   const TempFolder folder;
   const std::string file = folder.write("l.IN", test::kGuoLdpV1);
-  for (const double start : {0.0, 100.0, 3758.0, 1.0e9}) {
+  constexpr int kTooFar = kPrivateArraySize - 12;
+  for (const double start : {0.0, 100.0, double{kTooFar}, 1.0e9}) {
     GuoHost host("liblac_ldp", file, 7, kPrivateArraySize);
     host.caller.swap().set(Rec::LogStart, start);
-    if (start == 3758.0) host.caller.swap().put(3760, 7.0);
+    if (start == kTooFar) host.caller.swap().put(kTooFar + 2, 7.0);
     EXPECT_EQ(host.caller.call(0), 1);
     EXPECT_THAT(host.caller.message(), HasSubstr("is not the start of a lidar block of Guo's"));
     EXPECT_EQ(host.caller.call(1), 0);
