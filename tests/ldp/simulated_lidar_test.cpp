@@ -192,8 +192,8 @@ TurnedWind turbulent(double yaw_rad) {
 }
 
 // Ten minutes of turbulence with a yaw error: direction and shear come out, the REWS is the
-// component along the rotor axis. The bands are three standard deviations over 24 seeds
-// (ldp/README.md).
+// component along the rotor axis. Bands: bias and three standard deviations over ten seeds
+// (docs/reconstruction.md).
 TEST(LdpSimulated, YawErrorAndShearInTurbulence) {
   const double yaw_rad = rad_from_deg(10.0);
   const TurnedWind wind = turbulent(-yaw_rad);  // turned to the left: positive in LDP
@@ -202,9 +202,21 @@ TEST(LdpSimulated, YawErrorAndShearInTurbulence) {
   const auto yaw = fly(processing(WindModel::UV, 590.0), first, 600.0);
   const auto shear = fly(processing(WindModel::UShear, 590.0), second, 600.0);
   EXPECT_NEAR(deg_from_rad(yaw.wind.yaw_error_rad), 10.0, 3.0);
-  EXPECT_NEAR(yaw.mean_speed_mps, 16.0 * std::cos(yaw_rad), 0.5);
-  EXPECT_NEAR(shear.wind.du_dz_per_s, 0.2 * 16.0 * std::cos(yaw_rad) / kHub_m, 0.015);
+  EXPECT_NEAR(yaw.mean_speed_mps, 16.0 * std::cos(yaw_rad), 0.9);
+  EXPECT_NEAR(shear.wind.du_dz_per_s, 0.2 * 16.0 * std::cos(yaw_rad) / kHub_m, 0.01);
   EXPECT_EQ(yaw.wind.reason, WindReason::Complete);
+}
+
+// The test against outliers leaves the gusts of such turbulence alone (0.5 % over three seeds).
+TEST(LdpSimulated, TurbulenceIsNoSpike) {
+  const TurnedWind wind = turbulent(0.0);
+  LidarSim lidar(four_beams(30.0), wind, {kHub_m, kStep_s, 320.0});
+  LdpParams p = processing(WindModel::U, 60.0);
+  p.spikes.limit = 4.0;
+  p.availability_window_s = 1000.0;
+  const auto out = fly(p, lidar, 300.0);
+  EXPECT_GT(out.availability, 0.985);
+  EXPECT_TRUE(out.valid);
 }
 
 }  // namespace
