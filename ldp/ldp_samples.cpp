@@ -2,6 +2,7 @@
 // From one measurement to its longitudinal wind speeds.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "ldp/ldp.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "core/input_file.hpp"
 #include "core/state_archive.hpp"

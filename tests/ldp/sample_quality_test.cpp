@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "core/units.hpp"
 #include "ldp/availability.hpp"
