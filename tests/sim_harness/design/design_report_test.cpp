@@ -91,6 +91,30 @@ TEST(DesignReport, WritesWhereTheNumbersComeFrom) {
   EXPECT_EQ(again, text);
 }
 
+// Second order and trim are written and read again, as a schedule each; the template's own filter
+// and trim are gone, and a first-order design on top of it leaves nothing of the second order.
+TEST(DesignReport, WritesFilterAndTrim) {
+  DesignCase design = simple_design();
+  design.timing.filter_order = 2;
+  design.timing.trim_lateness = true;
+  const DesignResult result = result_of(design);
+  const std::string text =
+      designed_ffp_input(std::string(kTemplate) + "0.7 ! BufferTrim - by hand [s]\n", result);
+  InputFile file = InputFile::parse(text, "ffp.IN");
+  const FfpParams ffp = FfpParams::read(file);
+  ASSERT_EQ(ffp.filter_order, 2);
+  ASSERT_EQ(ffp.damping.x(), design.speeds_mps);
+  ASSERT_EQ(ffp.buffer_trim_s.x(), design.speeds_mps);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(ffp.cutoff_hz.y()[i], result.points[i].low_pass.frequency_hz, 0.5e-5);
+    EXPECT_NEAR(ffp.damping.y()[i], result.points[i].low_pass.damping, 0.5e-3);
+    EXPECT_NEAR(ffp.buffer_trim_s.y()[i], result.points[i].trim_s, 0.5e-3);
+  }
+  EXPECT_THAT(text, Not(HasSubstr("by hand")));
+  const DesignCase first = simple_design();
+  EXPECT_THAT(designed_ffp_input(text, result_of(first)), Not(HasSubstr("Filter")));
+}
+
 // One row per wind speed in the table; curves of each.
 TEST(DesignReport, TabulatesEveryWindSpeed) {
   const DesignCase design = simple_design();

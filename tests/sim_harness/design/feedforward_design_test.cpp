@@ -60,6 +60,57 @@ TEST(FeedforwardDesign, TakesTheCutoffOfTheLowPass) {
   EXPECT_NEAR(p[0].filter_s, 2.0, 1e-4);
 }
 
+/// The same, and late by half a second at every frequency.
+class LateModel : public FirstOrderModel {
+ public:
+  using FirstOrderModel::FirstOrderModel;
+  std::vector<RotorLidarSpectra> at(double k1_radpm,
+                                    const std::vector<double>& speeds_mps) const override {
+    std::vector<RotorLidarSpectra> s = FirstOrderModel::at(k1_radpm, speeds_mps);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      for (auto& s_rl : s[i].s_rl) s_rl *= std::polar(1.0, 0.5 * k1_radpm * speeds_mps[i]);
+    return s;
+  }
+};
+
+// An estimate that is late by half a second is made up for when asked: the buffer is that much
+// shorter, and with nothing left of it the next gate is taken.
+TEST(FeedforwardDesign, TrimsTheLatenessOfTheEstimate) {
+  FeedforwardTiming timing;
+  const auto design_late = [&](double speed_mps) {
+    return design_feedforward(CorrelationCurves(LateModel(0.02), {speed_mps}, {}), three_gates(),
+                              CutoffRule::kAtMinus3dB, timing)[0];
+  };
+  const FeedforwardPoint plain = design_late(10.0);
+  EXPECT_NEAR(plain.late_s, 0.5, 1e-9);
+  EXPECT_EQ(plain.trim_s, 0.0);
+  timing.trim_lateness = true;
+  const FeedforwardPoint trimmed = design_late(10.0);
+  EXPECT_NEAR(trimmed.trim_s, -0.5, 1e-9);
+  EXPECT_NEAR(trimmed.buffer_s(), plain.buffer_s() - 0.5, 1e-9);
+  timing.buffer_trim_s = LookupTable({8.0, 12.0}, {0.1, 0.3});
+  EXPECT_NEAR(design_late(10.0).trim_s, -0.3, 1e-9);
+  timing.buffer_trim_s = LookupTable({0.0}, {-plain.buffer_s() - 0.1 + 0.55});
+  EXPECT_EQ(design_late(10.0).first_plane, 1u);
+}
+
+// What leaves least leaves no more than the -3 dB cut-off, keeps its delay within the lead, and
+// says which gates it is for.
+TEST(FeedforwardDesign, LeastLeftWithinTheLead) {
+  for (const double speed_mps : {10.0, 16.0, 20.0, 24.0}) {
+    FeedforwardTiming timing;
+    const double at_3_db = design({speed_mps}, CutoffRule::kAtMinus3dB, timing)[0].share_left;
+    for (const int order : {1, 2}) {
+      timing.filter_order = order;
+      const FeedforwardPoint p = design({speed_mps}, CutoffRule::kLeastLeft, timing)[0];
+      EXPECT_TRUE(p.is_usable);
+      EXPECT_LE(p.share_left, at_3_db);
+      EXPECT_GE(p.buffer_s(), timing.lead_margin_s);
+      EXPECT_EQ(p.low_pass.order, order);
+    }
+  }
+}
+
 // The buffer is the lead less all delays (GUO eq. 40), each by its own equation.
 TEST(FeedforwardDesign, MakesUpForEveryDelay) {
   FeedforwardTiming timing;
