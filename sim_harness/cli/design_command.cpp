@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/part_file.hpp"
 #include "sim_harness/design/design_page.hpp"
+#include "sim_harness/design/flown_lidar_report.hpp"
 #include "sim_harness/design/quadrature_check.hpp"
 
 namespace lac::sim {
@@ -42,6 +43,7 @@ void write(const fs::path& path, const std::string& text, std::ostream& out) {
 
 void predict(DesignResult& r) {
   const DesignCase& d = r.design;
+  if (d.flown_lidar) r.flown = flown_lidar(*d.flown_lidar);
   if (d.designs_pitch_curve) r.pitch_curve = static_pitch_curve(*d.turbine);
   if (!d.feedback) return;
   r.closed_loop = predict_closed_loop(
@@ -81,6 +83,9 @@ void design_command(const DesignOptions& o, std::ostream& out) {
   DesignResult result{design, lidar, curves, std::move(points), error};
   predict(result);
   out << design_table(result);
+  if (!result.flown.empty()) {
+    out << '\n' << flown_lidar_table(compare_flown_lidar(design, lidar, curves, result.flown));
+  }
   if (result.closed_loop) {
     out << '\n' << closed_loop_table(*result.closed_loop);
     out << flown_table(*result.closed_loop, design);
@@ -92,6 +97,8 @@ void design_command(const DesignOptions& o, std::ostream& out) {
   write_inputs(folder, result, out);
   write(folder / "schedule.csv", schedule_csv(result), out);
   write(folder / "curves.csv", curves_csv(result), out);
+  if (!result.flown.empty())
+    write(folder / "flown_coherence.csv", flown_coherence_csv(curves, result.flown), out);
   if (result.closed_loop) {
     write(folder / "closed_loop.csv", closed_loop_csv(*result.closed_loop), out);
     write(folder / "rotor_speed.csv", rotor_speed_csv(*result.closed_loop), out);

@@ -101,6 +101,9 @@ int run_program(int argc, char** argv) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   design_command->add_option("-o,--output", design.output_folder, "Folder for the results");
 
+  design_command->add_flag("--fit", design.fit,
+                           "Print the Kaimal model closest to the Mann tensor, and nothing else");
+
   lac::sim::DesignOptions optimize;
   CLI::App* optimize_command = app.add_subcommand(
       "optimize", "Find the beams and gates with which a lidar sees most of what the rotor feels");
@@ -130,6 +133,7 @@ int run_program(int argc, char** argv) {
   if (tune.parsed()) return tune.run(std::cout);
   if (wind.parsed()) return wind.run(std::cout);
   if (analysis.parsed()) return analysis.run(std::cout), 0;
+  if (design.fit) return lac::sim::fit_command(design, std::cout), 0;
   if (design_command->parsed()) return lac::sim::design_command(design, std::cout), 0;
   if (optimize_command->parsed()) return lac::sim::optimize_command(optimize, std::cout), 0;
   if (records_command->parsed()) return lac::sim::print_records(std::cout), 0;

@@ -102,6 +102,7 @@ DesignCase load_design(const std::filesystem::path& file,
   read_model(in, d);
   read_feedforward(in.map("feedforward"), d);
   read_feedback(in, d);
+  if (in.has("flown_lidar")) d.flown_lidar = read_flown_campaign(in.map("flown_lidar"));
   if (in.has("optimize")) d.optimize = read_optimize_settings(in.map("optimize"));
   d.output_folder = std::filesystem::path("results") / d.name;
   in.finish();

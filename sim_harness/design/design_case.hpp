@@ -12,6 +12,7 @@
 #include "sim_harness/design/design_turbulence.hpp"
 #include "sim_harness/design/feedback_design.hpp"
 #include "sim_harness/design/feedforward_design.hpp"
+#include "sim_harness/design/flown_lidar.hpp"
 #include "sim_harness/design/flown_rotor_speed.hpp"
 #include "sim_harness/design/mann_correlation.hpp"
 #include "sim_harness/design/optimize_settings.hpp"
@@ -38,6 +39,7 @@ struct DesignCase {
   bool designs_pitch_curve = false;  // else that of the template stays
   std::optional<FeedbackDesign> feedback;
   std::vector<FlownRuns> flown;
+  std::optional<FlownCampaign> flown_lidar;
   std::optional<OptimizeSettings> optimize;  // of `lac optimize`
   std::filesystem::path output_folder;
 };

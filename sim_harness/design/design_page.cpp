@@ -57,6 +57,24 @@ void add_flown(const FlownRuns& runs, const std::string& name, int run,
   add("flown, lidar-assisted, ", runs.assisted);
 }
 
+ReportSpectrumPanel flown_coherence_panel(const DesignResult& r,
+                                          const std::vector<std::size_t>& shown) {
+  ReportSpectrumPanel panel{"Squared coherence as flown, and of the model (grey)", "-", {}};
+  for (const FlownLidar& flown : r.flown) {
+    const auto& speeds = r.curves.speeds_mps();
+    const auto speed =
+        static_cast<std::size_t>(std::ranges::find(speeds, flown.mean_speed_mps) - speeds.begin());
+    const auto place = std::ranges::find(shown, speed);
+    if (place == shown.end()) continue;
+    const std::string name = format_value(flown.mean_speed_mps, 1) + " m/s";
+    const CorrelationCurve curve = r.curves.curve(speed);
+    panel.series.push_back({name, static_cast<int>(place - shown.begin()),
+                            flown.spectrum.frequency_hz, flown.spectrum.coherence});
+    panel.series.push_back(line("model, " + name, kAllRuns, curve, curve.coherence()));
+  }
+  return panel;
+}
+
 /// Of the shown wind speeds that are above rated.
 ReportSpectrumPanel rotor_speed_panel(const DesignResult& r,
                                       const std::vector<std::size_t>& shown) {
@@ -112,6 +130,7 @@ HtmlReport design_page(const DesignResult& r) {
         line("low-pass, " + name, kAllRuns, curve, low_pass_gain(curve, p.low_pass)));
   }
   page.spectra = {coherence, gain};
+  if (!r.flown.empty()) page.spectra.push_back(flown_coherence_panel(r, shown));
   if (r.closed_loop) page.spectra.push_back(rotor_speed_panel(r, shown));
   using Point = FeedforwardPoint;
   page.results = {

@@ -19,6 +19,7 @@ struct DesignResult {
   std::vector<FeedforwardPoint> points;
   double quadrature_error = 0.0;
   std::optional<PitchCurve> pitch_curve = {};  // if the design makes one
+  std::vector<FlownLidar> flown = {};          // if the design names a campaign
   std::optional<ClosedLoop> closed_loop = {};  // if it knows the feedback controller
 };
 

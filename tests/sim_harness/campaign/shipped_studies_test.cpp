@@ -37,6 +37,11 @@ TEST(ShippedStudies, Robust) {
   EXPECT_EQ(winds.size(), 48U);
 }
 
+// Two lidars, seven wind speeds, six seeds; the lidars share their winds.
+TEST(ShippedStudies, HeldAndMann) {
+  EXPECT_EQ(checked("hm.yaml").size(), 84U);
+}
+
 // The quick one to its end.
 TEST(ShippedStudies, Quick) {
   EXPECT_EQ(checked("quick.yaml").size(), 18U);

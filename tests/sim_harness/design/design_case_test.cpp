@@ -88,6 +88,10 @@ TEST(DesignCase, NamesWhatIsWrong) {
   fails("feedforward.template=missing.IN", "missing.IN");
   fails("feedforward.cutof=closest_fit", "cutof");
   fails("turbulence.kind=isotropic", "turbulence.kind");
+  fails("turbulence.category=D", "turbulence.category");
+  fails("feedback.damping=20", "feedback.damping");
+  fails("feedback.template=missing.IN", "missing.IN");
+  fails("feedforward.pitch_curve=given", "pitch_curve");
 }
 
 }  // namespace

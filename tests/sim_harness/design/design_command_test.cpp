@@ -60,6 +60,21 @@ TEST(DesignCommand, LeavesItsTemplateAlone) {
   EXPECT_EQ(std::filesystem::file_size(own), size);
 }
 
+// Tables 1 and 2 of Guo et al. (2023) out of their Mann tensor: stable, L_u 101.1 m, a_x 1.6 of the
+// 200 s. turbulence_fit_test.cpp has all numbers.
+TEST(DesignCommand, FitsAKaimalModel) {
+  std::ostringstream out;
+  fit_command({kFile, {"turbulence.stability=stable"}, {}}, out);
+  EXPECT_THAT(out.str(), HasSubstr("fitted to: Mann tensor, L 30 m"));
+  EXPECT_THAT(out.str(), HasSubstr("110."));
+  EXPECT_THAT(out.str(), HasSubstr("a_x 1.6"));
+  EXPECT_THAT(
+      [&] {
+        fit_command({kFile, {"turbulence.kind=kaimal"}, {}}, out);
+      },
+      ThrowsMessage<Error>(HasSubstr("nothing to fit")));
+}
+
 // Steps too coarse for a number to be trusted are an error, not a number.
 TEST(DesignCommand, RefusesAQuadratureThatHasNotConverged) {
   const test::TempFolder folder;

@@ -129,5 +129,34 @@ TEST(KaimalCorrelation, AgreesWithTheScript) {
   }
 }
 
+/// A point on a beam with cosine 0.8 and sine 0.6 to the side.
+LidarParams three_four_five() {
+  return points_at({{std::atan2(0.6, 0.8), 0.0, 0.0, {}}}, {100.0});
+}
+
+// Lecture on lidar-assisted control: v_los = 0.8 u + 0.6 v. It counts motion towards the lidar, the
+// beam's vector away from it.
+TEST(KaimalCorrelation, ProjectsTheWindAsTheLectureDoes) {
+  const LidarVolumes lidar = lidar_volumes(three_four_five(), {});
+  const Vec3 beam_W = lidar.planes.front().volumes.front().beam_W;
+  const double wind[][2] = {{10.0, 0.0}, {10.0, 1.0}, {8.0, -2.0}};
+  for (const auto& [u, v] : wind)
+    EXPECT_NEAR(-dot(beam_W, Vec3{u, v, 0.0}), 0.8 * u + 0.6 * v, 1e-12);
+}
+
+// Lecture: S_los = 16/25 S_uu + 9/25 S_vv; S_LL is that over n_x^2 = 16/25.
+TEST(KaimalCorrelation, GivesTheLecturesSpectrumOfALineOfSightSpeed) {
+  KaimalTurbulence air;
+  air.model = iec_kaimal(2.0, 90.0);
+  const KaimalCorrelation model(air, lidar_volumes(three_four_five(), {}), 0.0);
+  for (const double f_hz : {0.003, 0.03, 0.3}) {
+    const double s_ll = model.at(2.0 * kPi * f_hz / kSpeed_mps, {kSpeed_mps}).front().s_ll.front();
+    const double s_uu = air.model.u.spectrum(f_hz, kSpeed_mps);
+    const double s_vv = air.model.v.spectrum(f_hz, kSpeed_mps);
+    EXPECT_NEAR(16.0 / 25.0 * 4.0 * kPi / kSpeed_mps * s_ll, 16.0 / 25.0 * s_uu + 9.0 / 25.0 * s_vv,
+                1e-12 * s_uu);
+  }
+}
+
 }  // namespace
 }  // namespace lac::sim
