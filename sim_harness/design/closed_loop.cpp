@@ -16,6 +16,11 @@ double normal_share_above(double mean, double deviation, double limit) {
   return 0.5 * std::erfc((limit - mean) / (deviation * std::sqrt(2.0)));
 }
 
+LowPassDesign low_pass_of(const FfpParams& ffp, double mean_speed_mps) {
+  if (ffp.filter_order == 1) return {1, ffp.cutoff_hz.at(mean_speed_mps), 0.0};
+  return {ffp.filter_order, ffp.cutoff_hz.at(mean_speed_mps), ffp.damping.at(mean_speed_mps)};
+}
+
 /// What would help the other tuning most: another time, or the cut-off of the design.
 std::string verdict(const RotorSpeedPrediction& p, const FeedforwardTuning& designed,
                     const FeedforwardTuning& other) {
@@ -23,32 +28,35 @@ std::string verdict(const RotorSpeedPrediction& p, const FeedforwardTuning& desi
     return p.deviation_radps(p.assisted(t));
   };
   if (deviation(other) < kAsGood * deviation(designed)) return "as good";
-  const double best_s = p.best_trim_s(other.cutoff_hz);
-  if (deviation({other.cutoff_hz, best_s}) < deviation({designed.cutoff_hz, other.trim_s}))
+  const double best_s = p.best_trim_s(other.low_pass);
+  if (deviation({other.low_pass, best_s}) < deviation({designed.low_pass, other.trim_s}))
     return best_s < other.trim_s ? "acts too late" : "acts too early";
-  return other.cutoff_hz > designed.cutoff_hz ? "cut-off too high" : "cut-off too low";
+  return other.low_pass.frequency_hz > designed.low_pass.frequency_hz ? "cut-off too high"
+                                                                      : "cut-off too low";
 }
 
 ClosedLoopPoint point_of(const RotorSpeedPrediction& p, const FeedforwardPoint& designed,
                          const FfpParams& ffp, double trim_s) {
   ClosedLoopPoint r;
   r.mean_speed_mps = designed.mean_speed_mps;
-  r.designed = {designed.cutoff_hz, trim_s};
-  r.of_template = {ffp.cutoff_hz.at(r.mean_speed_mps), ffp.buffer_trim_s.at(r.mean_speed_mps)};
+  r.designed = {designed.low_pass, trim_s};
+  r.of_template = {low_pass_of(ffp, r.mean_speed_mps), ffp.buffer_trim_s.at(r.mean_speed_mps)};
   const auto deviation = [&](double cutoff_factor, double error_s) {
-    return p.deviation_radps(p.assisted({cutoff_factor * r.designed.cutoff_hz, trim_s + error_s}));
+    FeedforwardTuning other = r.designed;
+    other.low_pass.frequency_hz *= cutoff_factor, other.trim_s += error_s;
+    return p.deviation_radps(p.assisted(other));
   };
   r.feedback_only = p.deviation_radps(p.feedback_only());
   r.assisted = deviation(1.0, 0.0);
   r.least = p.deviation_radps(p.least());
   r.late = deviation(1.0, kBufferError_s), r.early = deviation(1.0, -kBufferError_s);
   r.half_cutoff = deviation(0.5, 0.0), r.twice_cutoff = deviation(2.0, 0.0);
-  r.best_trim_s = p.best_trim_s(r.designed.cutoff_hz);
+  r.best_trim_s = p.best_trim_s(r.designed.low_pass);
   r.with_best_trim = deviation(1.0, r.best_trim_s - trim_s);
   r.with_template = p.deviation_radps(p.assisted(r.of_template));
   r.template_verdict = verdict(p, r.designed, r.of_template);
   r.share_above_threshold = normal_share_above(
-      r.mean_speed_mps, p.filtered_deviation_mps(r.designed.cutoff_hz), ffp.threshold_mps);
+      r.mean_speed_mps, p.filtered_deviation_mps(r.designed.low_pass), ffp.threshold_mps);
   return r;
 }
 

@@ -79,8 +79,8 @@ std::string closed_loop_csv(const ClosedLoop& loop) {
     text += csv_line({csv_number(p.mean_speed_mps), rpm(p.feedback_only), rpm(p.assisted),
                       rpm(p.least), rpm(p.late), rpm(p.early), rpm(p.half_cutoff),
                       rpm(p.twice_cutoff), csv_number(p.best_trim_s), rpm(p.with_best_trim),
-                      csv_number(p.of_template.cutoff_hz), rpm(p.with_template), p.template_verdict,
-                      csv_number(p.share_above_threshold)});
+                      csv_number(p.of_template.low_pass.frequency_hz), rpm(p.with_template),
+                      p.template_verdict, csv_number(p.share_above_threshold)});
   }
   return text;
 }

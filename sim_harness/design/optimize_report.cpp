@@ -100,7 +100,7 @@ std::string heat_map(const OptimizedLidar& o) {
   for (const double v : {e.front(), 0.5 * (e.front() + e.back()), e.back()})
     svg += label(20.0, axes.y(v) + 4.0, degrees(v));
   svg += label(kMargin_px + 0.5 * kWidth_px - 60.0, bottom + 38.0, "azimuth [deg]");
-  return svg + label(4.0, 14.0, "elevation [deg]") + "</svg>\n";
+  return svg + label(2.0, axes.y(0.5 * (e.front() + e.back())) + 24.0, "elev. [deg]") + "</svg>\n";
 }
 
 }  // namespace

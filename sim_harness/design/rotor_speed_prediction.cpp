@@ -62,16 +62,16 @@ std::vector<double> RotorSpeedPrediction::feedback_only() const {
 }
 
 std::vector<double> RotorSpeedPrediction::assisted(const FeedforwardTuning& t) const {
-  const double ahead_s = filter_delay_s(t.cutoff_hz, timing_.delay_frequency_hz) +
+  const double ahead_s = delay_s(t.low_pass, timing_.delay_frequency_hz) +
                          actuator_delay_s(timing_.actuator_frequency_hz, timing_.actuator_damping,
                                           timing_.delay_frequency_hz) -
                          t.trim_s;
   std::vector<double> density;
   for (std::size_t i = 0; i < s_rr_.size(); ++i) {
     const double f_hz = frequency_hz_[i];
-    const std::complex<double> low_pass = 1.0 / std::complex<double>(1.0, f_hz / t.cutoff_hz);
     const std::complex<double> g =
-        per_estimate_[i] * low_pass * std::polar(1.0, radps_from_hz(f_hz) * ahead_s);
+        per_estimate_[i] * std::polar(gain_of(t.low_pass, f_hz),
+                                      radps_from_hz(f_hz) * (ahead_s - delay_s(t.low_pass, f_hz)));
     density.push_back(std::norm(per_wind_[i]) * s_rr_[i] + std::norm(g) * s_ll_[i] +
                       2.0 * std::real(per_wind_[i] * std::conj(g) * s_rl_[i]));
   }
@@ -102,19 +102,19 @@ double RotorSpeedPrediction::deviation_radps(const std::vector<double>& density)
   return std::sqrt(variance(density, frequency_hz_.front(), frequency_hz_.back()));
 }
 
-double RotorSpeedPrediction::best_trim_s(double cutoff_hz) const {
+double RotorSpeedPrediction::best_trim_s(const LowPassDesign& low_pass) const {
   return minimum(
       [&](double e) {
-        return deviation_radps(assisted({cutoff_hz, e}));
+        return deviation_radps(assisted({low_pass, e}));
       },
       -kLargestTrim_s, kLargestTrim_s);
 }
 
-double RotorSpeedPrediction::filtered_deviation_mps(double cutoff_hz) const {
+double RotorSpeedPrediction::filtered_deviation_mps(const LowPassDesign& low_pass) const {
   std::vector<double> density;
   for (std::size_t i = 0; i < s_ll_.size(); ++i) {
-    const double r = frequency_hz_[i] / cutoff_hz;
-    density.push_back(s_ll_[i] / (1.0 + r * r));
+    const double gain = gain_of(low_pass, frequency_hz_[i]);
+    density.push_back(gain * gain * s_ll_[i]);
   }
   return deviation_radps(density);
 }

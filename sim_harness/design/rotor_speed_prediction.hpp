@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "sim_harness/design/feedforward_design.hpp"
+#include "sim_harness/design/filter_fit.hpp"
 #include "sim_harness/design/linear_turbine.hpp"
 
 namespace lac::sim {
 
 /// How the feedforward is set up; a wrong buffer time counts as a trim.
 struct FeedforwardTuning {
-  double cutoff_hz = 0.0;
+  LowPassDesign low_pass;
   double trim_s = 0.0;  // positive: acts later
 };
 
@@ -19,7 +20,7 @@ struct FeedforwardTuning {
 /// (methods section 13). With <R* L> = S_RL and G_L the way from the estimate L to the rotor speed,
 ///
 ///   S_Omega = |G_R|^2 S_RR + |G_L|^2 S_LL + 2 Re(G_R conj(G_L) S_RL),
-///   G_L = G_theta theta_ss'(v) sinc(f T_w)/(1 + i f/f_c) e^(+i 2 pi f (T_filter + T_actuator -
+///   G_L = G_theta theta_ss'(v) sinc(f T_w) H(f) e^(+i 2 pi f (T_filter + T_actuator -
 ///   trim))
 ///
 /// as what leaves FFP is lead - buffer - T_w/2 = T_filter + T_actuator - trim ahead of the wind.
@@ -45,9 +46,9 @@ class RotorSpeedPrediction {
   double variance(const std::vector<double>& density, double from_hz, double to_hz) const;
 
   /// The trim within +-3 s with the least standard deviation.
-  double best_trim_s(double cutoff_hz) const;
+  double best_trim_s(const LowPassDesign& low_pass) const;
   /// Standard deviation of the estimate behind the low-pass [m/s].
-  double filtered_deviation_mps(double cutoff_hz) const;
+  double filtered_deviation_mps(const LowPassDesign& low_pass) const;
 
  private:
   std::vector<double> frequency_hz_, s_rr_, s_ll_;

@@ -50,11 +50,10 @@ struct Sine {
 };
 
 /// Rotor speed per wind as flown: the turbine, the controllers, time steps and all.
-std::complex<double> flown(double frequency_hz, bool assisted, double extra_buffer_s = 0.0) {
+std::complex<double> flown(double frequency_hz, bool assisted,
+                           const FfpParams& ffp_params = params_in<FfpParams>("ffp.IN")) {
   constexpr double kLead_s = 6.0, kSettle_s = 150.0;
   const Sine wind{frequency_hz};
-  FfpParams ffp_params = params_in<FfpParams>("ffp.IN");
-  ffp_params.buffer_trim_s = extra_buffer_s;
   const Ffp ffp(ffp_params, kStep_s);
   Ffp::State ffp_state = ffp.initial_state();
   const Feedback feedback(params_in<FeedbackParams>("feedback_lac.IN"), kStep_s);
@@ -117,12 +116,31 @@ TEST(RotorSpeedPrediction, KnowsTheFeedforward) {
   const std::vector<double> alone = p.feedback_only();
   const double cutoff_hz = params_in<FfpParams>("ffp.IN").cutoff_hz.at(kWind_mps);
   for (const double trim_s : {0.0, 1.0, -1.0}) {
-    const std::vector<double> with = p.assisted({cutoff_hz, trim_s});
+    const std::vector<double> with = p.assisted({{1, cutoff_hz, 0.0}, trim_s});
+    FfpParams trimmed = params_in<FfpParams>("ffp.IN");
+    trimmed.buffer_trim_s = LookupTable({0.0}, {trim_s});
     for (std::size_t i = 0; i < f_hz.size(); ++i) {
-      EXPECT_NEAR(std::abs(flown(f_hz[i], true, trim_s)), std::sqrt(with[i]),
+      EXPECT_NEAR(std::abs(flown(f_hz[i], true, trimmed)), std::sqrt(with[i]),
                   0.07 * std::sqrt(alone[i]))
           << f_hz[i] << " Hz, trim " << trim_s;
     }
+  }
+}
+
+// And with a low-pass of second order.
+TEST(RotorSpeedPrediction, KnowsASecondOrderLowPass) {
+  const std::vector<double> f_hz{0.03, 0.08};
+  const RotorSpeedPrediction p = prediction(same_wind(f_hz));
+  const std::vector<double> alone = p.feedback_only();
+  const std::vector<double> with = p.assisted({{2, 0.09, 0.8}, 0.0});
+  FfpParams second = params_in<FfpParams>("ffp.IN");
+  second.filter_order = 2;
+  second.cutoff_hz = LookupTable({kWind_mps}, {0.09});
+  second.damping = LookupTable({kWind_mps}, {0.8});
+  for (std::size_t i = 0; i < f_hz.size(); ++i) {
+    EXPECT_NEAR(std::abs(flown(f_hz[i], true, second)), std::sqrt(with[i]),
+                0.07 * std::sqrt(alone[i]))
+        << f_hz[i];
   }
 }
 
@@ -130,9 +148,9 @@ TEST(RotorSpeedPrediction, KnowsTheFeedforward) {
 TEST(RotorSpeedPrediction, TrimsTheLatenessAway) {
   std::vector<double> f_hz;
   for (int i = 1; i <= 60; ++i) f_hz.push_back(0.004 * i);
-  const double in_time_s = prediction(same_wind(f_hz)).best_trim_s(0.05);
-  EXPECT_NEAR(prediction(same_wind(f_hz, 0.7)).best_trim_s(0.05), in_time_s - 0.7, 1e-3);
-  EXPECT_NEAR(prediction(same_wind(f_hz, -0.4)).best_trim_s(0.05), in_time_s + 0.4, 1e-3);
+  const double in_time_s = prediction(same_wind(f_hz)).best_trim_s({1, 0.05, 0.0});
+  EXPECT_NEAR(prediction(same_wind(f_hz, 0.7)).best_trim_s({1, 0.05, 0.0}), in_time_s - 0.7, 1e-3);
+  EXPECT_NEAR(prediction(same_wind(f_hz, -0.4)).best_trim_s({1, 0.05, 0.0}), in_time_s + 0.4, 1e-3);
 }
 
 // Coherent with the rotor by half, the best filter leaves half of the variance; a lidar that sees
@@ -144,10 +162,11 @@ TEST(RotorSpeedPrediction, HasItsLimits) {
   const double alone = half.deviation_radps(half.feedback_only());
   EXPECT_NEAR(half.deviation_radps(half.least()), alone * std::sqrt(0.5), 1e-12);
   for (const double cutoff_hz : {0.01, 0.03, 0.1})
-    EXPECT_GT(half.deviation_radps(half.assisted({cutoff_hz, 0.0})), alone * std::sqrt(0.5));
+    EXPECT_GT(half.deviation_radps(half.assisted({{1, cutoff_hz, 0.0}, 0.0})),
+              alone * std::sqrt(0.5));
   for (auto& s : c.s_rl) s = 0.0;
   const RotorSpeedPrediction blind = prediction(c);
-  EXPECT_GT(blind.deviation_radps(blind.assisted({0.05, 0.0})), alone);
+  EXPECT_GT(blind.deviation_radps(blind.assisted({{1, 0.05, 0.0}, 0.0})), alone);
   EXPECT_NEAR(blind.deviation_radps(blind.least()), alone, 1e-12);
 }
 
