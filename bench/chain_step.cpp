@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of one controller step at 80 Hz, as the host sees it: the master with its four secondaries
-// and a lidar, the same with the live monitor, the feedback-only chain, ldp by itself with little and
-// with all to do, the monitor by itself, and one call of an unmodified ROSCO without its log.
+// and a lidar, the same with the live monitor, the feedback-only chain, ldp by itself with little
+// and with all to do, the monitor by itself, and one call of an unmodified ROSCO without its log.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
