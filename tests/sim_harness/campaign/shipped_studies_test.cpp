@@ -42,6 +42,17 @@ TEST(ShippedStudies, HeldAndMann) {
   EXPECT_EQ(checked("hm.yaml").size(), 84U);
 }
 
+// Schlipf et al. (2020), confirmed with other winds, and beyond 16 m/s.
+TEST(ShippedStudies, S20) {
+  const std::vector<StudyCase> tuned = checked("s20.yaml");
+  const std::vector<StudyCase> fresh = checked("s20_confirmation.yaml");
+  ASSERT_EQ(tuned.size(), 12U);
+  ASSERT_EQ(fresh.size(), 12U);
+  for (const StudyCase& a : tuned)
+    for (const StudyCase& b : fresh) EXPECT_NE(a.wind, b.wind);
+  EXPECT_EQ(checked("s20_beyond.yaml").size(), 84U);
+}
+
 // The quick one to its end.
 TEST(ShippedStudies, Quick) {
   EXPECT_EQ(checked("quick.yaml").size(), 18U);
