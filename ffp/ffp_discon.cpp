@@ -11,21 +11,14 @@ namespace {
 class FfpModule final : public DisconModule {
  public:
   FfpModule(FfpParams params, double time_step_s)
-      : ffp_(std::move(params), time_step_s), state_(ffp_.initial_state()) {}
+      : by_monitor_(params.use_monitor),
+        by_turbulence_(!params.turbulence_factor.empty()),
+        by_power_level_(!params.reduced_pitch_rad.empty()),
+        ffp_(std::move(params), time_step_s),
+        state_(ffp_.initial_state()) {}
 
   void step(SwapView swap, double /*time_s*/, Notice& notice) noexcept override {
-    Ffp::Inputs in;
-    in.rews_mps = swap.get(Rec::LidarRews);
-    in.valid = swap.integer(Rec::LidarRewsValid, 0) == 1;
-    in.lead_s = swap.get(Rec::LidarRewsLead);
-    in.window_s = swap.get(Rec::LidarScanWindow);
-    in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
-    in.monitor_authority = swap.get(Rec::MonitorAuthority);
-    in.monitor_trim_s = swap.get(Rec::MonitorBufferTrim);
-    if (swap.integer(Rec::TurbulenceValid, 0) == 1) {
-      in.turbulence_intensity = swap.get(Rec::TurbulenceIntensity);
-    }
-    if (swap.integer(Rec::PowerLevelValid, 0) == 1) in.power_level = swap.get(Rec::PowerLevel);
+    const Ffp::Inputs in = inputs(swap);
     const Ffp::Outputs out = ffp_.step(in, state_);
     report(in, out, notice);
     write_feedforward(out, swap);
@@ -34,6 +27,27 @@ class FfpModule final : public DisconModule {
   void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_), a(monitor_told_); }
 
  private:
+  /// What the parameters ask for, and no other record.
+  Ffp::Inputs inputs(const SwapView& swap) const noexcept {
+    Ffp::Inputs in;
+    in.rews_mps = swap.get(Rec::LidarRews);
+    in.valid = swap.integer(Rec::LidarRewsValid, 0) == 1;
+    in.lead_s = swap.get(Rec::LidarRewsLead);
+    in.window_s = swap.get(Rec::LidarScanWindow);
+    in.mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
+    if (by_monitor_) {
+      in.monitor_authority = swap.get(Rec::MonitorAuthority);
+      in.monitor_trim_s = swap.get(Rec::MonitorBufferTrim);
+    }
+    if (by_turbulence_ && swap.integer(Rec::TurbulenceValid, 0) == 1) {
+      in.turbulence_intensity = swap.get(Rec::TurbulenceIntensity);
+    }
+    if (by_power_level_ && swap.integer(Rec::PowerLevelValid, 0) == 1) {
+      in.power_level = swap.get(Rec::PowerLevel);
+    }
+    return in;
+  }
+
   /// Passing the threshold, filling the buffer and a monitor that takes authority away (it says so
   /// itself) are daily life; the rest is told, an invalid monitor once.
   void report(const Ffp::Inputs& in, const Ffp::Outputs& out, Notice& notice) noexcept {
@@ -55,6 +69,9 @@ class FfpModule final : public DisconModule {
     was_on_ = was_on_ || out.reason == FfpReason::None;
   }
 
+  bool by_monitor_;
+  bool by_turbulence_;
+  bool by_power_level_;
   Ffp ffp_;
   Ffp::State state_;
   FfpReason last_ = FfpReason::None;

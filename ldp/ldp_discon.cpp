@@ -13,6 +13,7 @@ class LdpModule final : public DisconModule {
  public:
   LdpModule(const LdpParams& params, double time_step_s)
       : scan_time_s_(params.scan_time_s),
+        travel_by_turbine_(params.travel == TravelSpeed::Turbine),
         reports_(params),
         reader_(params.reader),
         ldp_(params, time_step_s),
@@ -25,7 +26,8 @@ class LdpModule final : public DisconModule {
     Ldp::Inputs in;
     in.time_s = time_s;
     in.lead_needed_s = swap.get(Rec::FeedforwardLeadNeeded);  // written in the step before
-    if (swap.get(Rec::TurbineRewsValid) == 1.0) in.turbine_rews_mps = swap.get(Rec::TurbineRews);
+    if (travel_by_turbine_ && swap.get(Rec::TurbineRewsValid) == 1.0)
+      in.turbine_rews_mps = swap.get(Rec::TurbineRews);
     if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
       in.measurement = &measurement_;
     }
@@ -38,6 +40,7 @@ class LdpModule final : public DisconModule {
 
  private:
   double scan_time_s_;
+  bool travel_by_turbine_;
   LdpReports reports_;
   LidarReader reader_;
   Ldp ldp_;

@@ -20,13 +20,8 @@ class TiEstimatorModule final : public DisconModule {
   const LidarReader& reader() const { return reader_; }
 
   void step(SwapView swap, double time_s, Notice& notice) noexcept override {
-    TiEstimator::Inputs in;
+    TiEstimator::Inputs in = inputs(swap);
     in.time_s = time_s;
-    in.yaw_error_rad = yaw_error_rad(swap);
-    // 0 where no ldp writes.
-    if (swap.get(Rec::LidarMeanSpeed) > 0.0) in.ldp_mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
-    in.anemometer_mps = swap.get(Rec::HubWindSpeed);
-    if (swap.get(Rec::TurbineRewsValid) == 1.0) in.turbine_rews_mps = swap.get(Rec::TurbineRews);
     if (reader_.read(swap, time_s, reader_state_, measurement_, notice)) {
       in.measurement = &measurement_;
     }
@@ -82,6 +77,22 @@ class TiEstimatorModule final : public DisconModule {
                  out.outside_table,
                  source_valid};
   }
+
+  /// What the parameters ask for, and no other record.
+  TiEstimator::Inputs inputs(const SwapView& swap) const noexcept {
+    TiEstimator::Inputs in;
+    if (params_.use_yaw_error) in.yaw_error_rad = yaw_error_rad(swap);
+    // 0 where no ldp writes.
+    if (params_.mean_speed_of_ldp && swap.get(Rec::LidarMeanSpeed) > 0.0) {
+      in.ldp_mean_speed_mps = swap.get(Rec::LidarMeanSpeed);
+    }
+    if (params_.has(IntensitySource::Anemometer)) in.anemometer_mps = swap.get(Rec::HubWindSpeed);
+    if (params_.has(IntensitySource::Turbine) && swap.get(Rec::TurbineRewsValid) == 1.0) {
+      in.turbine_rews_mps = swap.get(Rec::TurbineRews);
+    }
+    return in;
+  }
+
   /// Not a number where no ldp reconstructs the wind.
   double yaw_error_rad(const SwapView& swap) const noexcept {
     if (!params_.yaw_error_of_ldp) return swap.get(Rec::YawError);

@@ -178,9 +178,9 @@ TEST_F(BadChain, Keys) {
               HasSubstr("OutputChannels: missing, OutputFormat asks for an output file"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nGenSpeed ! OutputChannels -\n"),
               HasSubstr(":4: OutputChannels: found 'GenSpeed', expected names of records or "
-                        "signals, or rec1 ... rec3776"));
-  EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec3777 ! OutputChannels -\n"),
-              HasSubstr("found 'rec3777'"));
+                        "signals, or rec1 ... rec3820"));
+  EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec3821 ! OutputChannels -\n"),
+              HasSubstr("found 'rec3821'"));
   EXPECT_THAT(message_for(r + "csv ! OutputFormat -\nrec20 rec20 ! OutputChannels -\n"),
               HasSubstr(":4: OutputChannels: found 'rec20' twice"));
   EXPECT_THAT(

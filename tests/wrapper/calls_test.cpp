@@ -57,7 +57,7 @@ TEST_F(Calls, EachHasItsOwnStringsAndRecords) {
     const std::string root = folder.file("case." + name + ".SrvD");
     return "in=" + file + " end=0 out=" + root +
            " end=0 zeroed=1 fail=0 1=" + std::to_string(status) + " 49=2049 " +
-           "62=300 63=3401 64=12601 65=0 66=1001 129=3776\n";
+           "62=300 63=3401 64=12601 65=0 66=1001 129=3820\n";
   };
   EXPECT_EQ(folder.read("echo"), line("one", 0) + line("two", 0) + line("one", 1) + line("two", 1));
 }

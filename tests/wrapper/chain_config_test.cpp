@@ -62,8 +62,8 @@ TEST(ChainConfig, Signals) {
 // The words that mean a record; the first and the last record of the array.
 TEST(ChainConfig, RawRecords) {
   EXPECT_EQ(raw_record("rec1"), 1);
-  EXPECT_EQ(raw_record("REC3776"), kPrivateArraySize);
-  for (const char* word : {"rec", "rec0", "rec-1", "rec3777", "rec1x", "recs", "12"}) {
+  EXPECT_EQ(raw_record("REC3820"), kPrivateArraySize);
+  for (const char* word : {"rec", "rec0", "rec-1", "rec3821", "rec1x", "recs", "12"}) {
     EXPECT_EQ(raw_record(word), 0) << word;
   }
 }
