@@ -43,37 +43,35 @@ class LowPass1 {
   bool started_ = false;
 };
 
-/// Notch H(s) = (s^2 + D b s + w_n^2)/(s^2 + b s + w_n^2), b = 2 pi bandwidth: gain D at the
-/// centre (0 <= D < 1), 1 far away (methods section 12). State: trapezoidal integrators of the
-/// band-pass part, which stay meaningful when the centre frequency moves. Starts settled.
-class Notch {
+/// Second-order filter with natural frequency w_0 as two trapezoidal integrators, whose states
+/// stay meaningful when the frequency moves. Starts settled at its first input.
+class StateVariableFilter {
  public:
   struct Coefficients {
-    double g = 0.0;      // tan(w_n T/2), prewarped
-    double width = 0.0;  // bandwidth over centre frequency
-    double depth = 0.0;  // D
+    double g = 0.0;      // tan(w_0 T/2), prewarped
+    double width = 0.0;  // 2 z: bandwidth over w_0
     double scale = 1.0;  // 1/(1 + g (width + g))
-    void visit(StateArchive& a) { a(g), a(width), a(depth), a(scale); }
+    void visit(StateArchive& a) { a(g), a(width), a(scale); }
   };
-  static Coefficients coefficients(double centre_hz, double bandwidth_hz, double depth,
-                                   double time_step_s) {
-    const double g = std::tan(kPi * centre_hz * time_step_s);
-    const double width = bandwidth_hz / centre_hz;
-    return {g, width, depth, 1.0 / (1.0 + g * (width + g))};
+  /// Frequency below the Nyquist frequency.
+  static Coefficients coefficients(double natural_hz, double width, double time_step_s) {
+    const double g = std::tan(kPi * natural_hz * time_step_s);
+    return {g, width, 1.0 / (1.0 + g * (width + g))};
   }
 
-  /// One step of the trapezoidal state-variable filter.
-  double step(double input, const Coefficients& c) {
-    if (!started_) {
-      low_state_ = input;
-      started_ = true;
-    }
+  struct Outputs {
+    double band = 0.0;  // w_0 s/(s^2 + width w_0 s + w_0^2)
+    double low = 0.0;   // w_0^2/(s^2 + width w_0 s + w_0^2)
+  };
+  Outputs step(double input, const Coefficients& c) {
+    if (!started_) low_state_ = input;
+    started_ = true;
     const double high = (input - (c.width + c.g) * band_state_ - low_state_) * c.scale;
     const double band = c.g * high + band_state_;
     const double low = c.g * band + low_state_;
     band_state_ = c.g * high + band;
     low_state_ = c.g * band + low;
-    return input - (1.0 - c.depth) * c.width * band;
+    return {band, low};
   }
   void visit(StateArchive& a) { a(band_state_), a(low_state_), a(started_); }
 
@@ -81,6 +79,30 @@ class Notch {
   double band_state_ = 0.0;
   double low_state_ = 0.0;
   bool started_ = false;
+};
+
+/// Notch H(s) = (s^2 + D b s + w_n^2)/(s^2 + b s + w_n^2), b = 2 pi bandwidth: gain D at the
+/// centre (0 <= D < 1), 1 far away (methods section 12).
+class Notch {
+ public:
+  struct Coefficients {
+    StateVariableFilter::Coefficients filter;
+    double depth = 0.0;  // D
+    void visit(StateArchive& a) { a(filter), a(depth); }
+  };
+  static Coefficients coefficients(double centre_hz, double bandwidth_hz, double depth,
+                                   double time_step_s) {
+    return {StateVariableFilter::coefficients(centre_hz, bandwidth_hz / centre_hz, time_step_s),
+            depth};
+  }
+
+  double step(double input, const Coefficients& c) {
+    return input - (1.0 - c.depth) * c.filter.width * filter_.step(input, c.filter).band;
+  }
+  void visit(StateArchive& a) { a(filter_); }
+
+ private:
+  StateVariableFilter filter_;
 };
 
 /// Exact mean until `window_s` has passed, exponential forgetting with that time constant then:

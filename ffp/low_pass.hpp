@@ -31,38 +31,25 @@ class FeedforwardLowPass {
  public:
   struct Coefficients {
     int order = 1;
-    double factor = 0.0;  // order 1
-    double g = 0.0;       // order 2: tan(w_0 T/2), prewarped
-    double width = 0.0;   // 2 z
-    double scale = 1.0;   // 1/(1 + g (width + g))
-    void visit(StateArchive& a) { a(order), a(factor), a(g), a(width), a(scale); }
+    double factor = 0.0;                       // order 1
+    StateVariableFilter::Coefficients second;  // order 2
+    void visit(StateArchive& a) { a(order), a(factor), a(second); }
   };
   /// Frequency below the Nyquist frequency; the damping counts for order 2 alone.
   static Coefficients coefficients(int order, double frequency_hz, double damping,
                                    double time_step_s) {
-    if (order == 1) return {1, LowPass1::factor(frequency_hz, time_step_s), 0.0, 0.0, 1.0};
-    const double g = std::tan(kPi * frequency_hz * time_step_s), width = 2.0 * damping;
-    return {2, 0.0, g, width, 1.0 / (1.0 + g * (width + g))};
+    if (order == 1) return {1, LowPass1::factor(frequency_hz, time_step_s), {}};
+    return {2, 0.0, StateVariableFilter::coefficients(frequency_hz, 2.0 * damping, time_step_s)};
   }
 
   double step(double input, const Coefficients& c) {
-    if (c.order == 1) return first_.step(input, c.factor);
-    if (!started_) low_state_ = input;
-    started_ = true;
-    const double high = (input - (c.width + c.g) * band_state_ - low_state_) * c.scale;
-    const double band = c.g * high + band_state_;
-    const double low = c.g * band + low_state_;
-    band_state_ = c.g * high + band;
-    low_state_ = c.g * band + low;
-    return low;
+    return c.order == 1 ? first_.step(input, c.factor) : second_.step(input, c.second).low;
   }
-  void visit(StateArchive& a) { a(first_), a(band_state_), a(low_state_), a(started_); }
+  void visit(StateArchive& a) { a(first_), a(second_); }
 
  private:
   LowPass1 first_;
-  double band_state_ = 0.0;
-  double low_state_ = 0.0;
-  bool started_ = false;
+  StateVariableFilter second_;
 };
 
 }  // namespace lac
