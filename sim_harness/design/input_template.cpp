@@ -5,20 +5,14 @@
 #include <cctype>
 #include <sstream>
 
+#include "sim_harness/config/input_line.hpp"
 #include "sim_harness/output/text_table.hpp"
 
 namespace lac::sim {
 namespace {
 
-/// The key of a line of an input file in lower case; empty for comments and blank lines.
-std::string key_of(std::string_view line) {
-  const std::size_t value = line.find_first_not_of(" \t\r");
-  if (value == std::string_view::npos || line[value] == '!' || line[value] == '#') return {};
-  const std::size_t mark = line.find('!');
-  if (mark == std::string_view::npos) return {};
-  std::istringstream rest{std::string(line.substr(mark + 1))};
-  std::string key;
-  rest >> key;
+std::string lower_key_of(std::string_view line) {
+  std::string key = key_of_input_line(line);
   std::ranges::transform(key, key.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return key;
@@ -37,7 +31,7 @@ std::string with_keys_replaced(std::string_view text, const std::vector<std::str
   std::size_t end_of_block = 0;
   std::istringstream in{std::string(text)};
   for (std::string line; std::getline(in, line);) {
-    if (std::ranges::find(keys, key_of(line)) == keys.end()) {
+    if (std::ranges::find(keys, lower_key_of(line)) == keys.end()) {
       lines.push_back(line);
       continue;
     }

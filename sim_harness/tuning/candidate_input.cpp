@@ -7,22 +7,12 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "sim_harness/config/input_line.hpp"
 #include "wrapper/chain_config.hpp"
 
 namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
-
-/// The first word behind the '!' of a line with a value; empty for comments and blank lines.
-std::string key_of(std::string_view line) {
-  const std::size_t value = line.find_first_not_of(" \t\r");
-  const std::size_t mark = line.find('!');
-  if (mark == std::string_view::npos || mark == value || line[value] == '#') return {};
-  std::istringstream rest{std::string(line.substr(mark + 1))};
-  std::string key;
-  rest >> key;
-  return key;
-}
 
 /// The value, blanks up to where the comment stood if there is room, the comment.
 std::string with_value(const std::string& line, const std::string& value) {
@@ -46,7 +36,7 @@ std::string with_values(std::string_view input_text, const std::vector<KeyValue>
   std::istringstream in{std::string(input_text)};
   std::string text;
   for (std::string line; std::getline(in, line);) {
-    const std::string key = key_of(line);
+    const std::string key = key_of_input_line(line);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!equal_ignoring_case(values[i].key, key)) continue;
       line = with_value(line, values[i].value);
