@@ -17,14 +17,17 @@ class FfpModule final : public DisconModule {
         ffp_(std::move(params), time_step_s),
         state_(ffp_.initial_state()) {}
 
-  void step(SwapView swap, double /*time_s*/, Notice& notice) noexcept override {
+  void step(SwapView swap, double time_s, Notice& notice) noexcept override {
     const Ffp::Inputs in = inputs(swap);
     const Ffp::Outputs out = ffp_.step(in, state_);
     report(in, out, notice);
+    if (by_monitor_) look_for_monitor(swap, time_s, notice);
     write_feedforward(out, swap);
   }
 
-  void visit_state(StateArchive& a) override { a(state_), a(last_), a(was_on_), a(monitor_told_); }
+  void visit_state(StateArchive& a) override {
+    a(state_), a(last_), a(was_on_), a(monitor_told_), a(monitor_seen_);
+  }
 
  private:
   /// What the parameters ask for, and no other record.
@@ -69,6 +72,17 @@ class FfpModule final : public DisconModule {
     was_on_ = was_on_ || out.reason == FfpReason::None;
   }
 
+  /// One that allows nothing gives a reason; where nobody writes, both records stay 0.
+  void look_for_monitor(const SwapView& swap, double time_s, Notice& notice) noexcept {
+    if (monitor_seen_) return;
+    monitor_seen_ = swap.get(Rec::MonitorAuthority) != 0.0 || swap.get(Rec::MonitorReason) != 0.0;
+    if (monitor_seen_ || time_s < kMonitorWait_s) return;
+    notice.warn("feedforward off: UseMonitor is set, but no monitor in the chain writes its share");
+    monitor_seen_ = true;
+  }
+
+  static constexpr double kMonitorWait_s = 1.0;
+
   bool by_monitor_;
   bool by_turbulence_;
   bool by_power_level_;
@@ -77,6 +91,7 @@ class FfpModule final : public DisconModule {
   FfpReason last_ = FfpReason::None;
   bool was_on_ = false;
   bool monitor_told_ = false;
+  bool monitor_seen_ = false;  // or missed, and told so
 };
 
 }  // namespace

@@ -89,5 +89,20 @@ TEST(FfpLibrary, MonitorRecords) {
   EXPECT_EQ(messages, 1);
 }
 
+// UseMonitor in a chain without one: off, and told once.
+TEST(FfpLibrary, MissingMonitorIsToldOnce) {
+  const test::TempFolder folder;
+  DisconCaller caller("liblac_ffp", with_line(folder, "true ! UseMonitor"));
+  std::string told;
+  for (int i = 0; i < 1000; ++i) {
+    give_wind(caller.swap(), 18.0);
+    if (caller.call(i == 0 ? 0 : 1) > 0) told += caller.message() + "\n";
+  }
+  EXPECT_EQ(told,
+            "ffp: feedforward off: UseMonitor is set, but no monitor in the chain writes its "
+            "share\n");
+  EXPECT_EQ(caller.swap().get(Rec::FeedforwardAuthority), 0.0);
+}
+
 }  // namespace
 }  // namespace lac
