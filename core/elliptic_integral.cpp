@@ -8,6 +8,7 @@
 namespace lac {
 namespace {
 
+constexpr int kMostSteps = 40;  // convergence is quadratic: ten are enough for any kc above 1e-300
 constexpr double kTolerance = 1e-8;  // of the means; the error of the result is its square
 
 }  // namespace
@@ -18,7 +19,7 @@ double complete_elliptic_integral(double kc, double p, double a, double b) noexc
   double arithmetic = 1.0;
   double geometric = kc;
   double product = kc;
-  while (true) {
+  for (int step = 0; step < kMostSteps; ++step) {
     const double a_before = a;
     a += numerator / root_p;
     const double ratio = product / root_p;

@@ -32,8 +32,10 @@ TsrLookup::TsrLookup(const RotorTable& table) : tsr_(table.tsr()), pitch_rad_(ta
 TsrLookup::Branch TsrLookup::falling_branch(std::size_t column) const {
   const double* cp = &cp_[column * tsr_.size()];
   const auto quotient = [&](std::size_t row) { return cp[row] / tsr_cubed_[row]; };
+  const auto turning = std::upper_bound(tsr_.begin(), tsr_.end() - 1, 0.0);  // not at rest
   Branch b;
-  for (std::size_t i = 1; i < tsr_.size(); ++i) {
+  b.first = static_cast<std::size_t>(turning - tsr_.begin());
+  for (std::size_t i = b.first + 1; i < tsr_.size(); ++i) {
     if (quotient(i) > quotient(b.first)) b.first = i;
   }
   b.last = b.first;

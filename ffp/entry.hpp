@@ -22,9 +22,8 @@ inline double blend_weight(double wind_mps, double from_mps, double to_mps) noex
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// Cuts the slope of the curve to `largest` [rad/(m/s)]. 0 where the curve is flat.
-inline double slope_weight(double wind_mps, const LookupTable& curve, double largest) noexcept {
-  const double slope = curve.slope(wind_mps);
+/// Cuts a slope of the pitch curve to `largest` [rad/(m/s)]. 0 where the curve is flat.
+inline double slope_weight(double slope, double largest) noexcept {
   return slope > 0.0 ? std::min(1.0, largest / slope) : 0.0;
 }
 

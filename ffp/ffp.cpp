@@ -11,6 +11,7 @@ namespace {
 
 // Without wind the last rate is not worth much: it leaves quickly, but without a jerk.
 constexpr double kLossFade_s = 0.5;
+constexpr double kLeastWeight = 1e-6;
 
 bool is_on(FfpReason reason) {
   return reason == FfpReason::None || reason == FfpReason::RateLimited;
@@ -32,14 +33,26 @@ Ffp::State Ffp::initial_state() const {
   return s;
 }
 
+/// How far from the curve of rated power to the reduced one.
+double Ffp::reduced_part(double power_level) const noexcept {
+  if (params_.reduced_pitch_rad.empty() || !(power_level < 1.0)) return 0.0;
+  return std::min(1.0, (1.0 - power_level) / (1.0 - params_.reduced_power_level));
+}
+
 double Ffp::pitch_at_rad(double wind_mps, double power_level) const noexcept {
   const double rated_rad = params_.static_pitch_rad.at(wind_mps);
-  if (params_.reduced_pitch_rad.empty() || !(power_level < 1.0)) return rated_rad;
-  const double part = std::min(1.0, (1.0 - power_level) / (1.0 - params_.reduced_power_level));
+  const double part = reduced_part(power_level);
+  if (part == 0.0) return rated_rad;
   return std::lerp(rated_rad, params_.reduced_pitch_rad.at(wind_mps), part);
 }
 
-FfpReason Ffp::enter(State& s, const Outputs& out) const noexcept {
+double Ffp::slope_at_radpmps(double wind_mps, double power_level) const noexcept {
+  const double rated = params_.static_pitch_rad.slope(wind_mps);
+  const double part = reduced_part(power_level);
+  return part == 0.0 ? rated : std::lerp(rated, params_.reduced_pitch_rad.slope(wind_mps), part);
+}
+
+FfpReason Ffp::enter(double power_level, State& s, const Outputs& out) const noexcept {
   if (params_.entry == EntryRule::Threshold) {
     const double margin = s.above_threshold ? params_.hysteresis_mps : 0.0;
     s.above_threshold = out.buffered_mps > params_.threshold_mps - margin;
@@ -48,7 +61,8 @@ FfpReason Ffp::enter(State& s, const Outputs& out) const noexcept {
   s.entry_weight =
       params_.entry == EntryRule::Blend
           ? blend_weight(out.buffered_mps, params_.blend_from_mps, params_.blend_to_mps)
-          : slope_weight(out.buffered_mps, params_.static_pitch_rad, params_.largest_slope_radpmps);
+          : slope_weight(slope_at_radpmps(out.buffered_mps, power_level),
+                         params_.largest_slope_radpmps);
   return s.entry_weight > 0.0 ? FfpReason::None : FfpReason::BelowThreshold;
 }
 
@@ -60,10 +74,12 @@ FfpReason Ffp::update_pitch(const Inputs& in, State& s, Outputs& out) const noex
   const double rate = s.has_previous ? (out.pitch_rad - before_rad) / time_step_s_ : 0.0;
   s.previous_wind_mps = out.buffered_mps;
   s.has_previous = true;
-  s.last_rate_radps = std::clamp(rate, -params_.max_rate_radps, params_.max_rate_radps);
+  const FfpReason entry = enter(in.power_level, s, out);
+  // The limit is for what is sent: the weighted rate.
+  const double largest = params_.max_rate_radps / std::max(s.entry_weight, kLeastWeight);
+  s.last_rate_radps = std::clamp(rate, -largest, largest);
 
-  const FfpReason entry = enter(s, out);
-  if (entry != FfpReason::None) return entry;
+  if (entry != FfpReason::None && out.buffered_mps <= curve.x().back()) return entry;
   if (out.buffered_mps < curve.x().front() || out.buffered_mps > curve.x().back()) {
     return FfpReason::OutsideCurve;
   }

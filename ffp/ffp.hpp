@@ -94,8 +94,10 @@ class Ffp {
   FfpReason update_wind(const Inputs& in, State& s, Outputs& out) const noexcept;
   FfpReason update_buffer(const Inputs& in, State& s, Outputs& out) const noexcept;
   FfpReason update_pitch(const Inputs& in, State& s, Outputs& out) const noexcept;
-  FfpReason enter(State& s, const Outputs& out) const noexcept;
+  FfpReason enter(double power_level, State& s, const Outputs& out) const noexcept;
+  double reduced_part(double power_level) const noexcept;
   double pitch_at_rad(double wind_mps, double power_level) const noexcept;
+  double slope_at_radpmps(double wind_mps, double power_level) const noexcept;
   void forget_wind(State& s) const noexcept;
   void fade(FfpReason reason, State& s) const noexcept;
   FfpReason follow_monitor(const Inputs& in, State& s) const noexcept;

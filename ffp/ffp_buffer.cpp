@@ -64,7 +64,7 @@ FfpReason Ffp::update_wind(const Inputs& in, State& s, Outputs& out) const noexc
       if (params_.use_monitor && in.monitor_is_usable()) out.lead_needed_s -= in.monitor_trim_s;
     }
   }
-  if (!in.valid || !std::isfinite(in.rews_mps) || !std::isfinite(in.mean_speed_mps)) {
+  if (!in.valid || !std::isfinite(in.rews_mps + in.mean_speed_mps + in.lead_s + in.window_s)) {
     forget_wind(s);
     return FfpReason::NoWind;
   }

@@ -69,7 +69,7 @@ class FfpModule final : public DisconModule {
                   in.monitor_trim_s);
       monitor_told_ = true;
     }
-    was_on_ = was_on_ || out.reason == FfpReason::None;
+    was_on_ = was_on_ || out.active > 0.0;
   }
 
   /// One that allows nothing gives a reason; where nobody writes, both records stay 0.

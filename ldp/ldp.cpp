@@ -61,6 +61,7 @@ void Ldp::take_in(const Inputs& in, State& state) const noexcept {
   const double for_nearer = settled(state) ? kNearerGate : 1.0;
   double nearest_m = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < static_cast<std::size_t>(m.gate_count); ++g) {
+    if (!params_.reader.in_range(m.gates[g].range_m)) continue;
     const double ahead_m = induction_.travel_m(
         -(m.position_I_m.x + m.gates[g].range_m * p.beam_dir_I.x), state.induction);
     const bool in_use = ahead_m > state.nearest_gate_m - kSameGate_m;

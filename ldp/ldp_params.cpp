@@ -21,6 +21,12 @@ LdpParams LdpParams::read(InputFile& in) {
   p.motion_compensation = in.flag("MotionCompensation", p.motion_compensation);
   p.wind = WindModelParams::read(in, p.reader.layout != LidarLayout::OpenFast);
   p.induction = InductionCorrectionParams::read(in);
+  if (p.reader.layout == LidarLayout::OpenFast &&
+      p.induction.model == InductionModel::kVortexCylinder) {
+    in.fail("InductionModel",
+            "found vortex_cylinder, expected one_dimensional or none with LidarLayout openfast: it "
+            "gives x of its points alone");
+  }
   p.spikes = SpikeFilterParams::read(in);
   p.travel = static_cast<TravelSpeed>(in.choice("TravelSpeed", 0, {"lidar", "turbine"}));
   p.read_availability(in);

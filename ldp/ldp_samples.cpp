@@ -11,10 +11,19 @@ namespace lac {
 namespace {
 
 constexpr double kLeastInduction = 0.2;  // less of the wind left by the model: no sample
+// No place or speed of a wind measurement: a broken record, which would outlast it in running sums.
+constexpr double kFarthest_m = 1.0e4;
+constexpr double kFastest_mps = 200.0;
+// Without measurements for so many scans the neighbours of a sample in time are none.
+constexpr double kSilentScans = 5.0;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t place(const LidarMeasurement& m, std::size_t gate) {
   return static_cast<std::size_t>(m.beam_id) * native_lidar::kMaxGates + gate;
+}
+
+double plausible(double wind_mps) {
+  return std::abs(wind_mps) < kFastest_mps ? wind_mps : kNone;
 }
 
 double mean_of(std::span<const double> values) {
@@ -44,9 +53,12 @@ void Ldp::project(const LidarMeasurement& m, const Projection& p, Winds& wind_mp
   int expected = 0, usable = 0;
   for (std::size_t g = 0; g < gates; ++g) {
     const LidarGate& gate = m.gates[g];
-    wind_mps[g] = gate.valid ? p.longitudinal_mps(gate.speed_mps) : kNone;
+    wind_mps[g] = gate.valid ? plausible(p.longitudinal_mps(gate.speed_mps)) : kNone;
     if (params_.reader.in_range(gate.range_m)) ++expected;
-    if (gate.valid) ++usable;
+    if (!std::isnan(wind_mps[g])) ++usable;
+  }
+  if (m.time_s - state.last_measurement_s > kSilentScans * params_.scan_time_s) {
+    spikes_.forget(state.spikes);
   }
   if (spikes_.active()) usable -= spikes_.clean({wind_mps.data(), gates}, state.spikes);
   if (expected > 0) state.availability.count(static_cast<double>(usable) / expected);
@@ -62,7 +74,7 @@ WindReconstruction::Sample Ldp::sample(const LidarMeasurement& m, std::size_t g,
   s.from_hub_I_m = m.position_I_m + m.gates[g].range_m * p.beam_dir_I - Vec3{0.0, 0.0, hub_m};
   s.los_mps = m.gates[g].speed_mps - p.own_motion_mps;
   if (!weights.empty()) s.weight = g < weights.size() ? weights[g] : 0.0;
-  if (!std::isfinite(dot(s.from_hub_I_m, s.from_hub_I_m))) {
+  if (!(dot(s.from_hub_I_m, s.from_hub_I_m) < kFarthest_m * kFarthest_m)) {
     s.induction = kNone;
   } else if (induction_.active()) {
     s.induction = induction_.remaining(place(m, g), p.beam_dir_I, s.from_hub_I_m, state.induction);
@@ -80,8 +92,8 @@ void Ldp::correct(const LidarMeasurement& m, const Projection& p, Winds& wind_mp
     const WindReconstruction::Sample s = sample(m, g, p, state);
     wind_mps[g] = kNone;
     if (!(s.induction > kLeastInduction)) continue;
-    if (reconstruction_.active()) reconstruction_.add(s, sums);
-    wind_mps[g] = WindReconstruction::axial_mps(s, state.wind.estimate);
+    wind_mps[g] = plausible(WindReconstruction::axial_mps(s, state.wind.estimate));
+    if (reconstruction_.active() && !std::isnan(wind_mps[g])) reconstruction_.add(s, sums);
   }
   if (!reconstruction_.active()) return;
   const double heading_rad =

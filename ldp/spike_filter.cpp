@@ -65,6 +65,10 @@ bool SpikeFilter::is_spike(double wind_mps, std::size_t gate, std::size_t gates,
   return std::abs(wind_mps - median_mps) > params_.limit * deviation_mps;
 }
 
+void SpikeFilter::forget(State& state) const noexcept {
+  for (Past& past : state.past) past.fill(kNone);
+}
+
 int SpikeFilter::clean(std::span<double> wind_mps, State& state) const noexcept {
   int found = 0;
   for (std::size_t g = 0; g < wind_mps.size(); ++g) {
@@ -73,6 +77,9 @@ int SpikeFilter::clean(std::span<double> wind_mps, State& state) const noexcept 
     if (!spike) continue;
     wind_mps[g] = kNone;
     ++found;
+  }
+  for (std::size_t g = wind_mps.size(); g < state.past.size(); ++g) {
+    state.past[g][state.next] = kNone;
   }
   state.next = (state.next + 1) % kPast;
   return found;

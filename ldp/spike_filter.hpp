@@ -49,6 +49,8 @@ class SpikeFilter {
   /// Longitudinal speeds of one measurement by gate, not a number where there is none; spikes
   /// become not a number. Returns how many. Precondition: at most kMaxGates values.
   int clean(std::span<double> wind_mps, State& state) const noexcept;
+  /// After a silence: what was measured before it says nothing of what comes.
+  void forget(State& state) const noexcept;
 
  private:
   bool is_spike(double wind_mps, std::size_t gate, std::size_t gates,

@@ -16,6 +16,12 @@ double falling(double size, double tolerance) noexcept {
   return rising(-size, -2.0 * tolerance, -tolerance);
 }
 
+/// Of the logarithm of the ratio; means of other sign differ by all.
+double difference(double mean_ratio) noexcept {
+  if (mean_ratio <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::abs(std::log(mean_ratio));
+}
+
 }  // namespace
 
 const char* text_of(MonitorReason reason) {
@@ -50,8 +56,7 @@ Authority::Opinion Authority::judge(const Evidence& e) const noexcept {
        MonitorReason::LowCoherence},
       {falling(std::abs(e.late_s), params_.delay_tolerance_s), MonitorReason::WrongDelay},
       {rising(e.gain, params_.gain_off, params_.gain_on), MonitorReason::WrongGain},
-      {falling(std::abs(std::log(e.mean_ratio)), params_.mean_tolerance),
-       MonitorReason::WrongMean}};
+      {falling(difference(e.mean_ratio), params_.mean_tolerance), MonitorReason::WrongMean}};
   Opinion least{1.0, MonitorReason::Agree};
   for (const Opinion& o : opinions) {
     if (o.share < least.share) least = o;

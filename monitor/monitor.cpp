@@ -127,7 +127,7 @@ void Monitor::compare_feedforward(double buffered_mps, const Pair& pair, State& 
 
 /// Of y behind x; not a number while it is not known.
 double Monitor::measured_delay_s(State& s) const noexcept {
-  if (!s.moments.filled()) return kNothing;
+  if (!(s.moments.auto_x(0) > 0.0)) return kNothing;  // sums outlast gaps
   const DelayEstimate peak = correlation_delay(s.moments, lag_range_, tick_s_);
   if (params_.delay_method == DelayMethod::Correlation) {
     return peak.correlation < params_.minimum_correlation ? kNothing : peak.delay_s;

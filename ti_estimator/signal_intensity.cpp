@@ -36,6 +36,9 @@ IntensityEstimate SignalIntensity::estimate(double time_s, const State& state) c
   const double left = ratio * ratio - params_.added_intensity * params_.added_intensity;
   if (!(left > 0.0)) return {};
   const double free_mps = params_.speed_factor * s.mean_mps;
+  const std::vector<double>& known_mps = params_.correction.x();
+  const bool inside = free_mps >= known_mps.front() && free_mps <= known_mps.back();
+  if (known_mps.size() > 1 && !inside) return {};
   return {params_.correction.at(free_mps) * std::sqrt(left), free_mps};
 }
 

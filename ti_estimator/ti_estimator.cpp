@@ -33,9 +33,11 @@ TiEstimatorParams with_weights(TiEstimatorParams p) {
   return p;
 }
 
-/// No two samples in one step.
+/// Sampled every whole number of steps.
 SignalIntensityParams paced(SignalIntensityParams p, double time_step_s) {
-  p.statistics.scan_time_s = std::max(p.statistics.scan_time_s, time_step_s);
+  constexpr double kRounding = 1e-6;
+  p.statistics.scan_time_s =
+      time_step_s * std::ceil(p.statistics.scan_time_s / time_step_s - kRounding);
   return p;
 }
 

@@ -27,6 +27,7 @@ class TiEstimatorModule final : public DisconModule {
     }
     const TiEstimator::Outputs out = estimator_.step(in, state_);
     report(out, notice);
+    report_absence(out, time_s, notice);
     write(out, swap);
   }
 
@@ -36,8 +37,9 @@ class TiEstimatorModule final : public DisconModule {
   struct Reported {
     bool gates = false, direction = false, room = false;  // once per run
     bool valid = false, outside = false, source = false;  // at each change
+    bool absence = false;                                 // once per run, or nothing was absent
     void visit(StateArchive& a) {
-      a(gates), a(direction), a(room), a(valid), a(outside), a(source);
+      a(gates), a(direction), a(room), a(valid), a(outside), a(source), a(absence);
     }
   };
 
@@ -75,7 +77,22 @@ class TiEstimatorModule final : public DisconModule {
                  reported_.room || out.no_room,
                  out.valid(),
                  out.outside_table,
-                 source_valid};
+                 source_valid,
+                 reported_.absence};
+  }
+
+  /// What has never come although it should have by now.
+  void report_absence(const TiEstimator::Outputs& out, double time_s, Notice& notice) noexcept {
+    const bool source_valid = estimate(params_.power_level_source, out).valid();
+    reported_.absence = reported_.absence || (source_valid && out.valid());
+    if (reported_.absence || time_s < params_.averaging_time_s + kPatience_s) return;
+    reported_.absence = true;
+    if (out.ldp_missing) {
+      notice.warn("no turbulence intensity so far: ldp gives no mean wind speed or yaw error");
+    } else if (!by_lidar() && !source_valid) {
+      notice.warn(
+          "the power level rests: PowerLevelSource has given no turbulence intensity so far");
+    }
   }
 
   /// What the parameters ask for, and no other record.
@@ -119,6 +136,8 @@ class TiEstimatorModule final : public DisconModule {
                    SwapView& swap) const noexcept {
     if (params_.has(source)) swap.set(record, estimate(source, out).intensity);
   }
+
+  static constexpr double kPatience_s = 60.0;  // beyond AveragingTime
 
   TiEstimatorParams params_;
   LidarReader reader_;

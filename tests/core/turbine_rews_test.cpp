@@ -85,6 +85,10 @@ TEST(TsrLookup, TakesTheFallingBranch) {
   EXPECT_NEAR(lookup.tsr(0.1, 0.05), 3.0, 1e-7);
   EXPECT_GT(lookup.tsr(0.19, 0.05), 2.0);
   EXPECT_TRUE(std::isnan(lookup.tsr(0.201, 0.05)));
+  const RotorTable at_rest({0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 0.1},
+                           {0.0, 0.0, 0.1, 0.1, 1.6, 1.6, 2.7, 2.7, 3.2, 3.2},
+                           std::vector<double>(10, 0.0));
+  EXPECT_NEAR(TsrLookup(at_rest).tsr(0.1, 0.05), 3.0, 1e-7);  // the row of a rotor at rest is none
   const std::vector<double> rising{0.1, 0.1, 8.0, 8.0};
   EXPECT_THAT(test::error_text([&] {
                 const RotorTable t({1.0, 2.0}, {0.0, 0.1}, rising, std::vector<double>(4, 0.0));

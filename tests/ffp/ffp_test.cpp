@@ -225,6 +225,39 @@ TEST(Ffp, RateLimitIsTold) {
   EXPECT_EQ(out.rate_radps, 0.001);
 }
 
+// The limit is for what is sent: a weight of one half leaves room for twice the rate of the curve.
+TEST(Ffp, RateLimitIsForTheWeightedRate) {
+  FfpParams p = plain();
+  p.entry = EntryRule::Slope;
+  p.largest_slope_radpmps = 0.005;  // of 0.01
+  p.max_rate_radps = 0.006;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  Ffp::Outputs out;
+  for (int i = 0; i < 1600; ++i) out = ffp.step(wind(16.0 + 1.0 * i * kStep_s), s);
+  EXPECT_EQ(out.reason, FfpReason::None);
+  EXPECT_NEAR(out.rate_radps, 0.005, 1e-6);
+}
+
+// With `slope` the curve whose slope is cut is that of the power level.
+TEST(Ffp, EntryBySlopeOfTheReducedCurve) {
+  FfpParams p = plain();
+  p.static_pitch_rad = LookupTable({0.0, 12.0, 30.0}, {0.0, 0.0, 0.18});
+  p.reduced_pitch_rad = LookupTable({0.0, 9.0, 30.0}, {0.0, 0.0, 0.21});
+  p.reduced_power_level = 0.5;
+  p.entry = EntryRule::Slope;
+  const Ffp ffp(p, kStep_s);
+  Ffp::State s = ffp.initial_state();
+  Ffp::Outputs out;
+  for (int i = 0; i < 1600; ++i) {
+    Ffp::Inputs in = wind(10.0 + 0.05 * i * kStep_s);  // below rated: the reduced curve alone rises
+    in.power_level = 0.5;
+    out = ffp.step(in, s);
+  }
+  EXPECT_EQ(out.reason, FfpReason::None);
+  EXPECT_NEAR(out.rate_radps, 0.0005, 1e-6);
+}
+
 // A new mean wind speed moves the buffer slowly: the pitch rate it causes stays small.
 TEST(Ffp, NewMeanSpeedIsBumpless) {
   FfpParams p = plain();

@@ -60,6 +60,10 @@ TEST(LdpParams, KeysOnDemand) {
   EXPECT_THAT(refusal(good + thrust), HasSubstr("InductionWindSpeed"));
   EXPECT_THAT(refusal(cylinder + place + "5 15 ! InductionWindSpeed\n0.8 1.5 ! InductionThrust\n"),
               HasSubstr("InductionThrust"));
+  EXPECT_THAT(refusal("openfast ! LidarLayout\n0.5 ! ScanTime\n2 ! InterpolationOrder\n" +
+                      std::string("-5 ! RotorPositionX\nvortex_cylinder ! InductionModel\n") +
+                      place + thrust),
+              HasSubstr("expected one_dimensional or none with LidarLayout openfast"));
   EXPECT_THAT(refusal(good + "2 ! SpikeFloor\n"), HasSubstr("SpikeFloor"));
   EXPECT_THAT(refusal(good + "9 ! AvailabilityAlarmTime\n"), HasSubstr("AvailabilityAlarmTime"));
   EXPECT_THAT(refusal(good + "wind ! TravelSpeed\n"), HasSubstr("expected"));

@@ -355,6 +355,36 @@ TEST(Ldp, WindModelSurvivesABadPosition) {
   EXPECT_TRUE(std::isfinite(out.rews_mps) && std::isfinite(out.wind.v_mps));
 }
 
+// One measurement with an absurd position or velocity costs its own samples, not the estimate of
+// the minutes after it.
+TEST(Ldp, WindModelSurvivesAnAbsurdRecord) {
+  for (const bool velocity : {false, true}) {
+    Flight flight(four_beams(WindModel::UShear, 20.0));
+    flight.run_until(30.0);
+    bool once = true;
+    flight.change = [&](LidarMeasurement& m) {
+      if (once) (velocity ? m.velocity_I_mps.x : m.position_I_m.y) = 1.0e9;
+      once = false;
+    };
+    const auto out = flight.run_until(35.0);
+    EXPECT_FALSE(once);
+    EXPECT_TRUE(out.valid) << velocity;
+    EXPECT_NEAR(out.rews_mps, 16.0, 1e-3);
+    EXPECT_NEAR(out.wind.du_dz_per_s, 0.0, 1e-4);
+  }
+}
+
+// A gate outside the range limits is not the nearest one in use.
+TEST(Ldp, RangeLimitsMoveTheLead) {
+  LdpParams p = four_beams();
+  p.reader.min_range_m = 80.0;
+  Flight flight(p);
+  flight.change = [](LidarMeasurement& m) { m.gates[0].valid = false; };  // as the reader does
+  const auto out = flight.run_until(30.0);
+  EXPECT_NEAR(out.lead_s, 120.0 / 16.0, 1e-9);
+  EXPECT_EQ(out.samples, 8);
+}
+
 // A saved state continues to the last bit, with all there is.
 TEST(Ldp, SavedStateContinuesExactly) {
   test::LidarScan scan;

@@ -242,6 +242,26 @@ TEST(MonitorTest, LidarGoesAndComesBack) {
   EXPECT_NEAR(out.gain, 1.0, 0.05);
 }
 
+// What was measured outlasts a gap: a feedforward at the wrong time has no authority after it.
+TEST(MonitorTest, WrongTimeOutlastsAGap) {
+  Box box;
+  box.acts_late_s = 4.5;
+  const Monitor monitor(box.params, kStep_s);
+  Monitor::State state = monitor.initial_state();
+  double largest_after = 0.0;
+  for (int n = 0; n * kStep_s < 440.0; ++n) {
+    const double t = n * kStep_s;
+    Monitor::Inputs in = box.inputs(t);
+    if (t >= 400.0 && t < 401.0) {
+      in.lidar_valid = false;
+      in.lidar_mps = in.buffered_mps = std::nan("");
+    }
+    const Monitor::Outputs out = monitor.step(in, state);
+    if (t > 399.0) largest_after = std::max(largest_after, out.authority);
+  }
+  EXPECT_LT(largest_after, 0.05);
+}
+
 // Rubbish for a while (not a number, infinite) leaves no trace; without a turbine the last
 // judgement stands.
 TEST(MonitorTest, SurvivesRubbish) {

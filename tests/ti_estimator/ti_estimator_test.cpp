@@ -372,6 +372,27 @@ TEST(TiEstimator, Competitors) {
   EXPECT_EQ(of(out, IntensitySource::Lidar).intensity, out.intensity);
 }
 
+// Sampled every whole number of steps: a time step that does not divide the interval loses none of
+// the samples that MinimumFill counts. No estimate outside the table of the turbine's correction.
+TEST(TiEstimator, CompetitorsAtAnyTimeStep) {
+  constexpr double kLongStep_s = 0.2;  // sampled every 0.4 s
+  TiEstimatorParams p = with_competitors();
+  for (SignalIntensityParams* s : {&p.anemometer, &p.turbine}) s->statistics.minimum_fill = 0.9;
+  for (const double mean_mps : {kSpeed_mps, 2.0}) {
+    const TiEstimator estimator(p, kLongStep_s);
+    TiEstimator::State state = estimator.initial_state();
+    TiEstimator::Outputs out;
+    for (int i = 0; i < 500; ++i) {
+      TiEstimator::Inputs in;
+      in.time_s = i * kLongStep_s;
+      in.anemometer_mps = in.turbine_rews_mps = mean_mps + std::sin(0.7 * in.time_s);
+      out = estimator.step(in, state);
+    }
+    EXPECT_TRUE(of(out, IntensitySource::Anemometer).valid()) << mean_mps;
+    EXPECT_EQ(of(out, IntensitySource::Turbine).valid(), mean_mps == kSpeed_mps);
+  }
+}
+
 // The competitors leave the lidar's estimate as it is, and the power level with it; each of them
 // drives the level if it is asked to.
 TEST(TiEstimator, PowerLevelSource) {
