@@ -171,7 +171,9 @@ TEST(TiEstimatorLibrary, CompetitorsAndLdp) {
     return messages;
   };
   host.caller.swap().set(Rec::LidarMeanSpeed, 16.0);
-  run(kWindowSteps + 8000);
+  EXPECT_EQ(run(kWindowSteps + 8000), 1);  // what never came is told
+  EXPECT_NE(host.last_message.find("so far: ldp gives no mean"), std::string::npos)
+      << host.last_message;
   EXPECT_EQ(host.get(Rec::TurbulenceValid), 0.0);  // LidarReconstruction is 0: no yaw error
   EXPECT_NEAR(host.get(Rec::TurbulenceAnemometer), 3.0 / 16.0 * std::sqrt(0.5), 1e-3);
   EXPECT_NEAR(host.get(Rec::PowerLevel), 1.1, 1e-6);          // the anemometer drives it
