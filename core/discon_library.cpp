@@ -94,8 +94,7 @@ DisconLibrary DisconLibrary::open_own(const std::string& name, const std::string
                                       const std::vector<fs::path>& folders,
                                       const std::vector<fs::path>& copy_folders) {
   DisconLibrary library = open(name, entry, folders);
-  const auto* reentrant = static_cast<const int*>(library.image_.symbol(kReentrantSymbol));
-  if (reentrant != nullptr && *reentrant != 0) return library;
+  if (library.is_reentrant()) return library;
 
   const LacDisconFunction shared = library.entry_;
   const fs::path file = loader::file_of(reinterpret_cast<const void*>(shared));
@@ -110,6 +109,11 @@ DisconLibrary DisconLibrary::open_own(const std::string& name, const std::string
     throw Error(own.path_.string() + ": the system gave its copy the static data of the original");
   }
   return own;
+}
+
+bool DisconLibrary::is_reentrant() const noexcept {
+  const auto* declared = static_cast<const int*>(image_.symbol(kReentrantSymbol));
+  return declared != nullptr && *declared != 0;
 }
 
 void DisconLibrary::find_entry(const std::string& name) {

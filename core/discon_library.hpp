@@ -43,6 +43,8 @@ class DisconLibrary {
   /// The library as found, not the copy.
   const std::filesystem::path& path() const { return path_; }
   bool has_own_image() const { return has_own_image_; }
+  /// Whether it declares itself reentrant: one image then serves several callers at a time.
+  bool is_reentrant() const noexcept;
 
  private:
   void find_entry(const std::string& name);

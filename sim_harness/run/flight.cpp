@@ -14,13 +14,19 @@ namespace {
 
 constexpr double kFullTurn_rad = 2.0 * kPi;
 
-HostSetup host_setup(const Case& c, const CaseController& controller, const OperatingPoint& start,
-                     double mean_wind_mps, const std::filesystem::path& output_root) {
-  const TurbineParams& t = c.turbine;
+/// The library alone.
+HostSetup library_setup(const CaseController& controller) {
   HostSetup s;
   if (!controller.library.empty()) s.library = controller.library;
   s.library_folders = folders_beside_program();
   s.entry = controller.entry;
+  return s;
+}
+
+HostSetup host_setup(const Case& c, const CaseController& controller, const OperatingPoint& start,
+                     double mean_wind_mps, const std::filesystem::path& output_root) {
+  const TurbineParams& t = c.turbine;
+  HostSetup s = library_setup(controller);
   s.input_file = controller.input_file.string();
   s.output_root = output_root.string();
   s.time_step_s = c.time.step_s;
@@ -99,6 +105,11 @@ TurbineState turbine_state(const SlowOutputs& o, const TurbineParams& t, double 
           .rotor_speed_radps = o.rotor_speed_radps,
           .pitch_rad = o.pitch_rad,
           .thrust_coefficient = wind_mps > 0.0 ? o.thrust_N / wind_force_N : 0.0};
+}
+
+bool can_fly_in_threads(const CaseController& controller) {
+  const HostSetup s = library_setup(controller);
+  return DisconLibrary::open(s.library, s.entry, s.library_folders).is_reentrant();
 }
 
 Recording fly(const Case& c, const CaseController& controller, const WindField& wind,

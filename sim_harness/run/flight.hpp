@@ -30,6 +30,10 @@ struct FlightReport {
 TurbineState turbine_state(const SlowOutputs& outputs, const TurbineParams& turbine,
                            double rotor_wind_mps, double azimuth_rad);
 
+/// Whether a controller may fly in several threads at a time: its library declares itself reentrant
+/// (LAC_DISCON_REENTRANT). Throws lac::Error if it cannot be loaded.
+bool can_fly_in_threads(const CaseController& controller);
+
 /// Flies one controller of a case: sense, control, advance. Starts in the steady state at the
 /// wind of time 0; demands are held over each step, the wind is linear in it. output_root names
 /// the files the controller may write. Deterministic. Throws lac::Error when the controller ends

@@ -62,9 +62,11 @@ TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads)
   }
   controller_ = controller_of(cases_.front(), tuning.controller);
   for (const Case& c : cases_) {
-    if (controller_of(c, tuning.controller).input_file != controller_.input_file)
-      throw Error(tuning.file.string() + ": controller: has another input file in some of the " +
-                  "cases, expected one to tune");
+    const CaseController& here = controller_of(c, tuning.controller);
+    if (here.input_file != controller_.input_file || here.library != controller_.library ||
+        here.entry != controller_.entry)
+      throw Error(tuning.file.string() + ": controller: has another input file, library or entry " +
+                  "in some of the cases, expected one controller to tune");
   }
   input_file_ = input_of_secondary(controller_.input_file, tuning.secondary);
   template_text_ = text_of(input_file_);
@@ -108,9 +110,15 @@ std::vector<double> TuningFlights::figures_over_cases(const std::vector<Flight>&
   return all;
 }
 
+int TuningFlights::threads_of(const std::string& controller) const {
+  const bool in_threads = std::ranges::all_of(
+      cases_, [&](const Case& c) { return can_fly_in_threads(controller_of(c, controller)); });
+  return in_threads ? threads_ : 1;
+}
+
 std::vector<double> TuningFlights::fly_baseline() {
   std::vector<Flight> flights(cases_.size());
-  for_each_job(static_cast<int>(cases_.size()), threads_, [&] {
+  for_each_job(static_cast<int>(cases_.size()), threads_of(tuning_.baseline), [&] {
     return [&](int job) {
       const auto i = static_cast<std::size_t>(job);
       flights[i] = fly_one(i, controller_of(cases_[i], tuning_.baseline),
@@ -136,7 +144,7 @@ std::vector<Evaluation> TuningFlights::fly(const std::vector<Point>& points,
   const std::size_t count = points.size() * cases_.size();
   std::mutex one_at_a_time;
   std::size_t done = 0;
-  for_each_job(static_cast<int>(count), threads_, [&] {
+  for_each_job(static_cast<int>(count), threads_of(tuning_.controller), [&] {
     return [&](int job) {
       const std::size_t p = static_cast<std::size_t>(job) / cases_.size();
       const std::size_t i = static_cast<std::size_t>(job) % cases_.size();

@@ -42,6 +42,8 @@ class TuningFlights {
 
   Flight fly_one(std::size_t case_index, const CaseController& controller,
                  const std::filesystem::path& output_root) const;
+  /// One where the library keeps static data, which flights would share.
+  int threads_of(const std::string& controller) const;
   std::vector<double> figures_over_cases(const std::vector<Flight>& flights) const;
 
   const Tuning& tuning_;

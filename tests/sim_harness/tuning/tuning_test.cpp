@@ -106,6 +106,37 @@ TEST_F(Tune, NothingMeetsTheConditions) {
   EXPECT_EQ(folder_.read("results/evaluations.csv"), first);
 }
 
+// A baseline that keeps its state in static data (the toy would lose it to the flight beside it)
+// flies one case after another: with more jobs the same figures.
+TEST_F(Tune, BaselineWithStaticData) {
+  folder_.write("probe.IN", "pitch_rad 0.2\ntorque_Nm 20000\nquiet 1\n");
+  std::string text = folder_.read("case.yaml");
+  const std::string line = LAC_SOURCE_DIR "/config/iea3p4mw/wrapper_fb.IN}";
+  text.replace(text.find(line), line.size(), "probe.IN, library: " LAC_TOY_DIR "/libtoy_recorder}");
+  folder_.write("case.yaml", text);
+  TuningOptions options;
+  options.file = tuning(std::string("parameters: {RatedTorque: [28000]}\n") +
+                        "maximise: {figure: GenTqDem_mean}\n");
+  options.output_folder = folder_.path("results");
+  options.jobs = 4;
+  std::ostringstream out;
+  EXPECT_TRUE(run_tuning(options, out));
+  EXPECT_NE(out.str().find("GenTqDem_mean: 20.000 -> "), std::string::npos) << out.str();
+}
+
+// One controller is tuned, not one by its library here and another there.
+TEST_F(Tune, OneLibraryInAllCases) {
+  folder_.write("study.yaml",
+                "case: case.yaml\nranges:\n  which:\n    one: {}\n    other: {controllers.1.entry: "
+                "OTHER}\n");
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid);
+  options.output_folder = folder_.path("results");
+  std::ostringstream out;
+  EXPECT_NE(error_text([&] { run_tuning(options, out); }).find("library or entry in some of"),
+            std::string::npos);
+}
+
 // The template is never written over.
 TEST_F(Tune, KeepsTheTemplate) {
   TuningOptions options;
