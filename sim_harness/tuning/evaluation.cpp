@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/input_file.hpp"
 #include "sim_harness/analysis/lifetime.hpp"
 #include "sim_harness/comparison/life_table.hpp"
 
@@ -16,6 +17,13 @@ double missed_by(const TuningTarget& t, double change) {
   if (t.kind == TuningTarget::Kind::kAtLeast) return std::max(t.limit - change, 0.0);
   if (t.kind == TuningTarget::Kind::kAtMost) return std::max(change - t.limit, 0.0);
   return 0.0;
+}
+
+/// A condition is on the change; the objective needs the figure alone.
+bool cannot_be_judged(const TuningTarget& t, double figure, double change) {
+  const bool is_condition =
+      t.kind == TuningTarget::Kind::kAtLeast || t.kind == TuningTarget::Kind::kAtMost;
+  return !std::isfinite(figure) || (is_condition && !std::isfinite(change));
 }
 
 bool dominates(const Evaluation& a, const Evaluation& b, const std::vector<TuningTarget>& targets) {
@@ -33,7 +41,8 @@ bool dominates(const Evaluation& a, const Evaluation& b, const std::vector<Tunin
 Score Evaluation::score(const std::vector<TuningTarget>& targets) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (!problem.empty()) return {kInfinite, kInfinite};
-  return {violation, targets.front().wants_less() ? figures.front() : -figures.front()};
+  const Score s{violation, targets.front().wants_less() ? figures.front() : -figures.front()};
+  return std::isnan(s.violation) || std::isnan(s.objective) ? Score{kInfinite, kInfinite} : s;
 }
 
 double over_cases(const std::string& figure, const std::vector<double>& of_cases) {
@@ -46,6 +55,14 @@ Evaluation evaluated(const Point& values, const std::vector<TuningTarget>& targe
   Evaluation e{.values = values, .figures = figures, .changes = {}, .problem = {}};
   for (std::size_t i = 0; i < targets.size(); ++i) {
     e.changes.push_back((figures[i] - baseline[i]) / std::abs(baseline[i]));
+    if (cannot_be_judged(targets[i], figures[i], e.changes[i])) {
+      return {.values = values,
+              .figures = {},
+              .changes = {},
+              .problem = targets[i].figure + " is " + shortest(figures[i]) +
+                         ", with the baseline " + shortest(baseline[i]) +
+                         ": expected numbers to compare"};
+    }
     e.violation = std::max(e.violation, missed_by(targets[i], e.changes[i]));
   }
   return e;

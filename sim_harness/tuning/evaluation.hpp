@@ -18,7 +18,7 @@ struct Evaluation {
   std::string problem;          // why it could not be flown; empty: it was
 
   bool meets_conditions() const { return problem.empty() && violation == 0.0; }
-  /// Infinite where there was a problem.
+  /// Infinite where there was a problem, or a number is none.
   Score score(const std::vector<TuningTarget>& targets) const;
 };
 
@@ -26,6 +26,8 @@ struct Evaluation {
 /// their mean; of extremes that is what IEC 61400-1 (7.6.2) asks for of several realisations.
 double over_cases(const std::string& figure, const std::vector<double>& of_cases);
 
+/// A figure that is not finite, or a condition on a change that is not, is the problem of its
+/// evaluation.
 Evaluation evaluated(const Point& values, const std::vector<TuningTarget>& targets,
                      const std::vector<double>& figures, const std::vector<double>& baseline);
 

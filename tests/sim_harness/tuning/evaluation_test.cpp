@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace lac::sim {
 namespace {
@@ -57,6 +58,31 @@ TEST(Evaluation, Best) {
   EXPECT_EQ(best_of({with(60, 40, 10), failed(), with(90, 49, 10)}, kTargets), 2U);
   EXPECT_EQ(best_of({failed()}, kTargets), 1U);
   EXPECT_EQ(best_of({}, kTargets), 0U);
+}
+
+// What is no number meets no condition and wins nothing, not even as the first; a change from 0
+// cannot be judged by a condition, but the objective may be 0 before.
+TEST(Evaluation, NotANumber) {
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(with(60, nan, 10).meets_conditions());
+  EXPECT_EQ(with(60, nan, 10).problem,
+            "GenPwr_mean is nan, with the baseline 50: expected numbers to compare");
+  EXPECT_FALSE(with(nan, 50, 10).problem.empty());
+  EXPECT_FALSE(with(60, infinite, 10).problem.empty());
+  const auto from = [](double extreme, double power) {
+    return evaluated({}, kTargets, {80.0, 50.0, 10.0}, {extreme, power, 10.0});
+  };
+  EXPECT_FALSE(from(100.0, 0.0).meets_conditions());
+  EXPECT_FALSE(from(100.0, nan).meets_conditions());
+  EXPECT_TRUE(from(0.0, 50.0).meets_conditions());
+
+  EXPECT_EQ(best_of({with(nan, 50, 10), with(90, 49, 10)}, kTargets), 1U);
+  Evaluation none = with(80, 50, 10);
+  none.violation = nan;
+  EXPECT_EQ(best_of({none, with(90, 49, 10)}, kTargets), 1U);
+  none = with(80, 50, 10);
+  none.figures[0] = nan;
+  EXPECT_EQ(best_of({none, with(90, 49, 10)}, kTargets), 1U);
 }
 
 // The objective that is to be large is the smaller score where it is larger.
