@@ -34,6 +34,10 @@ struct Held {
   }
 };
 
+Held rotor_intensity(const RotorSignals& rotor) {
+  return {rotor.intensity, rotor.t_begin_s, rotor.dt_s};
+}
+
 bool has_channel(const Recording& r, const std::string& name) {
   return std::ranges::find(r.channels(), name, &TableChannel::name) != r.channels().end();
 }
@@ -55,6 +59,7 @@ std::vector<Estimate> estimates_in(const FlownController& flown) {
   return found;
 }
 
+/// `rotor`: what each error counts from.
 IntensityError error_of(const std::string& estimate, std::span<const double> rotor,
                         std::span<const double> errors) {
   std::vector<double> known;
@@ -83,7 +88,7 @@ Recording with_rotor_intensity(const FlownController& flown, const RotorSignals&
                                double lead_s) {
   const Recording& flight = flown.recording;
   const std::vector<Estimate> estimates = estimates_in(flown);
-  const Held reference{rotor.intensity, rotor.t_begin_s, rotor.dt_s};
+  const Held reference = rotor_intensity(rotor);
   std::vector<TableChannel> channels = flight.channels();
   channels.push_back({kRotorIntensityChannel, "-"});
   for (const Estimate& e : estimates) channels.push_back({e.name + kErrorEnding, "-"});
@@ -102,27 +107,31 @@ Recording with_rotor_intensity(const FlownController& flown, const RotorSignals&
   return result;
 }
 
-std::vector<IntensityError> intensity_errors(const Recording& recording, double run_in_s) {
+std::vector<IntensityError> intensity_errors(const Recording& recording, const RotorSignals& rotor,
+                                             double run_in_s, double lead_s) {
   const std::size_t first = recording.first_row_from(run_in_s);
-  const std::vector<double> rotor = recording.column(kRotorIntensityChannel);
+  const Held reference = rotor_intensity(rotor);
+  std::vector<double> later;
+  for (std::size_t i = first; i < recording.rows(); ++i)
+    later.push_back(reference.at(recording.start_time_s() +
+                                 static_cast<double>(i) * recording.time_step_s() + lead_s));
   std::vector<IntensityError> errors;
   for (const Rec record : kEstimates) {
     const std::string name{find_record(static_cast<int>(record))->name};
     if (!has_channel(recording, name + kErrorEnding)) continue;
     const std::vector<double> column = recording.column(name + kErrorEnding);
-    errors.push_back(
-        error_of(name, std::span(rotor).subspan(first), std::span(column).subspan(first)));
+    errors.push_back(error_of(name, later, std::span(column).subspan(first)));
   }
   return errors;
 }
 
-std::string intensity_table(const std::vector<FlownController>& flights, double run_in_s,
-                            double window_s) {
+std::string intensity_table(const std::vector<FlownController>& flights, const RotorSignals& rotor,
+                            double run_in_s, double window_s, double lead_s) {
   constexpr double kPercent = 100.0;
   TextTable table({"Turbulence intensity", "estimate", "known [%]", "rotor [%]", "bias [%]",
                    "std [%]", "largest [%]"});
   for (const FlownController& flown : flights) {
-    for (const IntensityError& e : intensity_errors(flown.recording, run_in_s)) {
+    for (const IntensityError& e : intensity_errors(flown.recording, rotor, run_in_s, lead_s)) {
       table.add_row({flown.name, e.estimate, format_value(kPercent * e.known, 1),
                      format_value(kPercent * e.rotor_mean, 2), format_value(kPercent * e.bias, 3),
                      format_value(kPercent * e.standard_deviation, 3),

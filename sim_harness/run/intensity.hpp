@@ -22,18 +22,19 @@ Recording with_rotor_intensity(const FlownController& flown, const RotorSignals&
 
 /// One estimate of one flight over the samples behind the run-in at which it is known.
 struct IntensityError {
-  std::string estimate;  // its record
-  double known = 0.0;    // share of the samples at which there is TI_R
-  double rotor_mean = 0.0;
+  std::string estimate;             // its record
+  double known = 0.0;               // share of the samples at which there is TI_R lead_s later
+  double rotor_mean = 0.0;          // of TI_R lead_s later
   double bias = 0.0;                // mean error
   double standard_deviation = 0.0;  // of the error, n - 1
   double largest = 0.0;             // |error|
 };
-/// Of a recording of with_rotor_intensity(). Fewer than two samples: NaN.
-std::vector<IntensityError> intensity_errors(const Recording& recording, double run_in_s);
+/// Of a recording of with_rotor_intensity() with this rotor and lead. Fewer than two samples: NaN.
+std::vector<IntensityError> intensity_errors(const Recording& recording, const RotorSignals& rotor,
+                                             double run_in_s, double lead_s = 0.0);
 
 /// The table for the terminal, in percent of intensity (absolute).
-std::string intensity_table(const std::vector<FlownController>& flights, double run_in_s,
-                            double window_s);
+std::string intensity_table(const std::vector<FlownController>& flights, const RotorSignals& rotor,
+                            double run_in_s, double window_s, double lead_s = 0.0);
 
 }  // namespace lac::sim

@@ -178,7 +178,9 @@ CaseResult fly_case(const Case& c, const CaseWind& wind, std::ostream& out) {
   const std::vector<ReportResult> rows = result_rows(result.figures);
   out << '\n' << result_table(names, rows) << '\n';
   if (c.outputs.intensity)
-    out << intensity_table(result.flights, c.time.run_in_s, c.outputs.wind_window_s) << '\n';
+    out << intensity_table(result.flights, *rotor, c.time.run_in_s, c.outputs.wind_window_s,
+                           c.outputs.intensity_lead_s)
+        << '\n';
   if (c.outputs.html) {
     result.files.push_back(c.outputs.folder / (c.name + ".html"));
     write_html_report(result.files.back(), make_report(c, result.flights, rows));

@@ -68,7 +68,7 @@ TEST(IntensityTest, Channels) {
 // +-0.01 less the 0.001 by which TI_R rises in the second half of a row.
 TEST(IntensityTest, Errors) {
   const Recording r = with_rotor_intensity({"a", flight(), chain()}, rotor());
-  const auto errors = intensity_errors(r, 12.0);
+  const auto errors = intensity_errors(r, rotor(), 12.0);
   ASSERT_EQ(errors.size(), 2U);
   EXPECT_EQ(errors[0].estimate, "TurbulenceIntensity");
   EXPECT_NEAR(errors[0].known, 180.0 / 281.0, 1e-12);
@@ -81,7 +81,7 @@ TEST(IntensityTest, Errors) {
               1e-7);
   EXPECT_EQ(errors[1].known, 1.0);
   EXPECT_NEAR(errors[1].bias, -0.0205, 1e-5);
-  EXPECT_THAT(intensity_table({{"a", r, {}}}, 12.0, 10.0),
+  EXPECT_THAT(intensity_table({{"a", r, {}}}, rotor(), 12.0, 10.0),
               ::testing::HasSubstr("TurbulenceUncorrected"));
 }
 
@@ -94,13 +94,25 @@ TEST(IntensityTest, Lead) {
   EXPECT_NEAR(later[75], 0.106 - 0.01 - 0.110, 1e-7);  // known as soon as TI_R of 10 s
 }
 
+// With a lead of 3 s and no run-in everything counts from TI_R of 3 s later: it is there for the
+// 310 samples from 7 s to 37.9 s, the estimate for the 230 of them before 30 s, while TI_R goes
+// from 0.110 to 0.132.
+TEST(IntensityTest, LeadAndShortRunIn) {
+  const Recording r = with_rotor_intensity({"a", flight(), chain()}, rotor(), 3.0);
+  const auto errors = intensity_errors(r, rotor(), 0.0, 3.0);
+  EXPECT_NEAR(errors[0].known, 230.0 / 310.0, 1e-12);
+  EXPECT_NEAR(errors[0].rotor_mean, 0.121, 1e-9);
+  EXPECT_EQ(errors[1].known, 1.0);
+  EXPECT_NEAR(errors[1].rotor_mean, 0.1 + 0.001 * 25.0, 1e-9);  // whole seconds 10 ... 40
+}
+
 // Without an output file of the chain there is TI_R alone; an estimate never known has no figures.
 TEST(IntensityTest, NothingToCompare) {
   const Recording alone = with_rotor_intensity({"a", flight(), {}}, rotor());
   EXPECT_EQ(alone.channels().size(), 2U);
-  EXPECT_TRUE(intensity_errors(alone, 12.0).empty());
+  EXPECT_TRUE(intensity_errors(alone, rotor(), 12.0).empty());
   const Recording r = with_rotor_intensity({"a", flight(), chain()}, rotor());
-  const auto late = intensity_errors(r, 31.0);
+  const auto late = intensity_errors(r, rotor(), 31.0);
   EXPECT_EQ(late[0].known, 0.0);
   EXPECT_TRUE(std::isnan(late[0].bias));
 }
