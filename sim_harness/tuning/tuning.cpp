@@ -2,15 +2,14 @@
 #include "sim_harness/tuning/tuning.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <ostream>
 #include <thread>
 
 #include "core/error.hpp"
 #include "core/part_file.hpp"
-#include "core/plain_number.hpp"
 #include "sim_harness/config/temporary_folder.hpp"
 #include "sim_harness/output/progress.hpp"
+#include "sim_harness/run/interruption.hpp"
 #include "sim_harness/tuning/tuning_flights.hpp"
 #include "sim_harness/tuning/tuning_report.hpp"
 
@@ -21,18 +20,8 @@ namespace {
 constexpr double kSmallestSimplex = 0.05;  // of a step of the grid
 constexpr std::size_t kMostGridPoints = 100000;
 
-/// What is flown is what is written: four significant digits.
-Point rounded(Point p) {
-  for (double& v : p) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", v);
-    v = *plain_number(text);
-  }
-  return p;
-}
-
-/// The border of the grid; half a step of it for the first simplex. Parameters with one value alone
-/// stay where they are.
+/// The border of the grid, which rounding to the digits of the grid cannot pass; half a step of it
+/// for the first simplex. Parameters with one value alone stay where they are.
 SearchBox search_box(const std::vector<TuningParameter>& parameters) {
   SearchBox box;
   for (const TuningParameter& p : parameters) {
@@ -89,7 +78,8 @@ class Search {
     std::size_t next = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
       if (is_free(i)) all[i] = part[next++];
-    return rounded(all);
+    std::ranges::transform(all, all.begin(), four_digits);
+    return all;
   }
 
   const Evaluation* known(const Point& values) const {

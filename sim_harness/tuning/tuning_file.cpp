@@ -2,6 +2,7 @@
 #include "sim_harness/tuning/tuning_file.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <set>
 
@@ -99,7 +100,7 @@ TuningParameter read_parameter(const std::string& key, const StudyNode& node) {
   for (const StudyChoice& c : range.choices) {
     const std::optional<double> value = plain_number(c.settings.front().value);
     if (!value) node.fail("found '" + c.settings.front().value + "', expected numbers");
-    values.insert(*value);
+    values.insert(four_digits(*value));
   }
   return {key, {values.begin(), values.end()}};
 }
@@ -120,6 +121,12 @@ void check_controllers(const YamlReader& in, const Tuning& t) {
 }
 
 }  // namespace
+
+double four_digits(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", v);
+  return *plain_number(text);
+}
 
 Tuning load_tuning(const fs::path& file, const std::vector<std::string>& overrides) {
   YamlReader in = YamlReader::load(file);

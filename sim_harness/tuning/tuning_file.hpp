@@ -13,7 +13,7 @@ namespace lac::sim {
 /// A key of the input file and the values on the grid.
 struct TuningParameter {
   std::string key;
-  std::vector<double> values;  // rising
+  std::vector<double> values;  // rising, of four_digits()
 };
 
 /// A figure of the flights (docs/campaigns.md) over some cases of the study: loads by damage, all
@@ -43,6 +43,9 @@ struct Tuning {
   std::vector<TuningTarget> targets;  // the objective first, then conditions
   int refinements = 0;  // flights of the simplex search, in parameter sets; 0: grid only
 };
+
+/// Rounded to what is written and flown: four significant digits.
+double four_digits(double v);
 
 /// Reads a tuning file and the study it names; `overrides`: keys of the case, behind its `set`.
 /// Throws lac::Error: file, line, key, found, expected, hint. Every case is loaded as a run would.

@@ -137,6 +137,13 @@ TEST_F(Tune, OneLibraryInAllCases) {
             std::string::npos);
 }
 
+// The grid has four digits, like all that is flown: its border cannot be passed by rounding.
+TEST_F(Tune, GridOfFourDigits) {
+  const Tuning t = load_tuning(tuning(
+      std::string(kObjective) + "parameters: {RatedTorque: [27001, 28797.6, 28803, 30996]}\n"));
+  EXPECT_EQ(t.parameters[0].values, (std::vector<double>{27000.0, 28800.0, 31000.0}));
+}
+
 // The template is never written over.
 TEST_F(Tune, KeepsTheTemplate) {
   TuningOptions options;
