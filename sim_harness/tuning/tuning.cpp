@@ -44,6 +44,7 @@ class Search {
     result_.evaluations = flights_.fly(grid_points(tuning_.parameters), result_.baseline,
                                        [&](double done) { progress.update(done); });
     result_.grid = result_.evaluations.size();
+    flights_.check();
     progress.finish();
   }
 
@@ -95,6 +96,7 @@ class Search {
     }
     for (Evaluation& e : flights_.fly(fresh, result_.baseline, [](double) {}))
       result_.evaluations.push_back(std::move(e));
+    flights_.check();
     std::vector<Score> scores;
     for (const Point& part : parts)
       scores.push_back(known(complete(part, fixed))->score(tuning_.targets));
@@ -127,6 +129,13 @@ void require_other_file(const fs::path& path, const fs::path& input_file) {
                 "(--output)");
 }
 
+/// Whoever finds an input file there afterwards takes it for the result.
+void remove_result_of_before(const fs::path& path, std::ostream& out) {
+  std::error_code failed;
+  if (fs::remove(path, failed)) out << "removed " << path.string() << " of an earlier tuning\n";
+  if (failed) throw Error(path.string() + ": cannot be removed: " + failed.message());
+}
+
 }  // namespace
 
 std::vector<Point> grid_points(const std::vector<TuningParameter>& parameters) {
@@ -149,19 +158,30 @@ bool run_tuning(const TuningOptions& o, std::ostream& out) {
   const Tuning tuning = load_tuning(o.file, o.overrides);
   const fs::path folder =
       o.output_folder.empty() ? fs::path("results") / tuning.name : o.output_folder;
+  const Interruption interruption;
   const TemporaryFolder work;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  TuningFlights flights(tuning, work.path(), o.jobs > 0 ? o.jobs : cores);
+  TuningFlights flights(tuning, work.path(), o.jobs > 0 ? o.jobs : cores, interruption);
   const fs::path written = folder / flights.input_file().filename();
   require_other_file(written, flights.input_file());
-
-  TuningResult result{.tuning = tuning, .baseline = flights.fly_baseline()};
-  Search search(tuning, flights, result);
-  search.fly_grid();
-  search.refine();
-  out << tuning_text(result);
   make_folder(folder);
-  write(folder / "evaluations.csv", evaluations_csv(result), out);
+  remove_result_of_before(written, out);
+
+  TuningResult result{.tuning = tuning, .baseline = {}};
+  const auto write_evaluations = [&] {
+    write(folder / "evaluations.csv", evaluations_csv(result), out);
+  };
+  try {
+    result.baseline = flights.fly_baseline();
+    Search search(tuning, flights, result);
+    search.fly_grid();
+    search.refine();
+  } catch (const Error&) {
+    write_evaluations();
+    throw;
+  }
+  out << tuning_text(result);
+  write_evaluations();
   const std::size_t best = best_of(result.evaluations, tuning.targets);
   if (best == result.evaluations.size() || !result.evaluations[best].meets_conditions())
     return false;

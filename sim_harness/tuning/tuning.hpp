@@ -21,7 +21,8 @@ struct TuningOptions {
 /// `lac tune`: flies the grid of parameters, then a simplex search from its best point within the
 /// grid's borders; prints all evaluations, the Pareto front and the best point; writes
 /// evaluations.csv and, if a point meets all conditions, the input file with the best one. False if
-/// none does. Throws lac::Error.
+/// none does. An input file of before is removed first. Throws lac::Error; what was evaluated until
+/// then, as after an interruption, is in evaluations.csv.
 bool run_tuning(const TuningOptions& options, std::ostream& out);
 
 /// Every combination of the values, the last parameter fastest.

@@ -51,14 +51,16 @@ struct Wanted {
 
 }  // namespace
 
-TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads)
-    : tuning_(tuning), work_(std::move(work)), threads_(threads) {
+TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads,
+                             const Interruption& interruption)
+    : tuning_(tuning), work_(std::move(work)), threads_(threads), interruption_(interruption) {
   std::map<std::string, std::size_t> made;
   for (const StudyCase& study_case : tuning.cases) {
     cases_.push_back(load_case(tuning.base_case, study_case.overrides));
     const auto [wind, is_new] = made.try_emplace(study_case.wind, winds_.size());
     if (is_new) winds_.push_back(make_case_wind(cases_.back()));
     wind_of_.push_back(wind->second);
+    interruption.check();
   }
   controller_ = controller_of(cases_.front(), tuning.controller);
   for (const Case& c : cases_) {
@@ -70,6 +72,11 @@ TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads)
   }
   input_file_ = input_of_secondary(controller_.input_file, tuning.secondary);
   template_text_ = text_of(input_file_);
+}
+
+void TuningFlights::check() const {
+  if (interruption_.requested())
+    throw Interrupted("interrupted: no input file is written; evaluations.csv has what is known");
 }
 
 std::string TuningFlights::input_text(const Point& values) const {
@@ -84,16 +91,20 @@ TuningFlights::Flight TuningFlights::fly_one(std::size_t i, const CaseController
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   Wanted wanted(tuning_.targets);
   wanted.options.from_s = cases_[i].time.run_in_s;
+  FlightReport report;
+  report.on_progress = [this](double) { check(); };
   Flight flight{std::vector<double>(tuning_.targets.size(), kNone), {}};
   try {
     const CaseWind& wind = winds_[wind_of_[i]];
     const Recording flown =
-        sim::fly(cases_[i], controller, *wind.field, wind.rotor, output_root, {});
+        sim::fly(cases_[i], controller, *wind.field, wind.rotor, output_root, report);
     const std::vector<NamedFigure> figures =
         named_figures(channel_figures(flown, wanted.options, wanted.channels), wanted.options);
     for (std::size_t t = 0; t < flight.figures.size(); ++t)
       flight.figures[t] =
           std::ranges::find(figures, tuning_.targets[t].figure, &NamedFigure::name)->value;
+  } catch (const Interrupted&) {
+    throw;
   } catch (const Error& e) {
     flight.problem = "case " + tuning_.cases[i].name + ": " + e.what();
   }
@@ -130,40 +141,53 @@ std::vector<double> TuningFlights::fly_baseline() {
   return figures_over_cases(flights);
 }
 
+void TuningFlights::link(Candidate& c, const Point& values) const {
+  c.controller = controller_;
+  c.controller.input_file =
+      linked_chain(controller_.input_file, input_file_, input_text(values), c.folder);
+}
+
+Evaluation TuningFlights::evaluation_of(const Candidate& c, const Point& values,
+                                        const std::vector<double>& baseline) const {
+  const auto bad =
+      std::ranges::find_if(c.flights, [](const Flight& f) { return !f.problem.empty(); });
+  if (bad != c.flights.end())
+    return {.values = values, .figures = {}, .changes = {}, .problem = bad->problem};
+  return evaluated(values, tuning_.targets, figures_over_cases(c.flights), baseline);
+}
+
 std::vector<Evaluation> TuningFlights::fly(const std::vector<Point>& points,
                                            const std::vector<double>& baseline,
                                            const std::function<void(double)>& progress) {
-  std::vector<fs::path> folders;
-  std::vector<CaseController> controllers(points.size(), controller_);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    folders.push_back(work_ / std::to_string(flown_points_++));
-    controllers[p].input_file =
-        linked_chain(controller_.input_file, input_file_, input_text(points[p]), folders[p]);
+  std::vector<Candidate> candidates(points.size());
+  for (Candidate& c : candidates) {
+    c.folder = work_ / std::to_string(flown_points_++);
+    c.flights.resize(cases_.size());
   }
-  std::vector<std::vector<Flight>> flights(points.size(), std::vector<Flight>(cases_.size()));
   const std::size_t count = points.size() * cases_.size();
   std::mutex one_at_a_time;
   std::size_t done = 0;
-  for_each_job(static_cast<int>(count), threads_of(tuning_.controller), [&] {
-    return [&](int job) {
-      const std::size_t p = static_cast<std::size_t>(job) / cases_.size();
-      const std::size_t i = static_cast<std::size_t>(job) % cases_.size();
-      flights[p][i] = fly_one(i, controllers[p], folders[p] / ("flight-" + std::to_string(i)));
+  const auto fly_job = [&](int job) {
+    const std::size_t p = static_cast<std::size_t>(job) / cases_.size();
+    const std::size_t i = static_cast<std::size_t>(job) % cases_.size();
+    Candidate& c = candidates[p];
+    {
       const std::scoped_lock lock(one_at_a_time);
-      progress(static_cast<double>(++done) / static_cast<double>(count));
-    };
-  });
-  std::vector<Evaluation> evaluations;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    fs::remove_all(folders[p]);
-    const auto bad =
-        std::ranges::find_if(flights[p], [](const Flight& f) { return !f.problem.empty(); });
-    evaluations.push_back(
-        bad == flights[p].end()
-            ? evaluated(points[p], tuning_.targets, figures_over_cases(flights[p]), baseline)
-            : Evaluation{
-                  .values = points[p], .figures = {}, .changes = {}, .problem = bad->problem});
+      if (c.begun++ == 0) link(c, points[p]);
+    }
+    c.flights[i] = fly_one(i, c.controller, c.folder / ("flight-" + std::to_string(i)));
+    const std::scoped_lock lock(one_at_a_time);
+    if (++c.ended == cases_.size()) fs::remove_all(c.folder);
+    progress(static_cast<double>(++done) / static_cast<double>(count));
+  };
+  try {
+    for_each_job(static_cast<int>(count), threads_of(tuning_.controller), [&] { return fly_job; });
+  } catch (const Interrupted&) {  // what has flown to its end counts
   }
+  std::vector<Evaluation> evaluations;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (candidates[p].ended == cases_.size())
+      evaluations.push_back(evaluation_of(candidates[p], points[p], baseline));
   return evaluations;
 }
 

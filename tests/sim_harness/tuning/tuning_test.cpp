@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <sstream>
 
 #include "core/input_file.hpp"
+#include "sim_harness/run/interruption.hpp"
 #include "sim_harness/tables/csv_table.hpp"
+#include "sim_harness/tuning/tuning_flights.hpp"
+#include "support/environment.hpp"
 #include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
@@ -86,16 +90,19 @@ TEST_F(Tune, LivesWithRefusedValues) {
   EXPECT_NE(out.str().find("best: RatedTorque 28000, FinePitch 1.2"), std::string::npos);
 }
 
-// Conditions that nothing meets: said, the nearest shown, no input file written. Two runs alike, on
-// one core and on two.
+// Conditions that nothing meets: said, the nearest shown, no input file written, and none left
+// of before. Two runs alike, on one core and on two.
 TEST_F(Tune, NothingMeetsTheConditions) {
   TuningOptions options;
   options.file = tuning(std::string(kObjective) + kGrid +
                         "conditions: [{figure: GenPwr_mean, at_least_percent: 50}]\n");
   options.output_folder = folder_.path("results");
   options.jobs = 1;
+  fs::create_directories(options.output_folder);
+  folder_.write("results/feedback.IN", "of yesterday");
   std::ostringstream out;
   EXPECT_FALSE(run_tuning(options, out));
+  EXPECT_NE(out.str().find("results/feedback.IN of an earlier tuning"), std::string::npos);
   EXPECT_NE(out.str().find("no parameters meet all conditions; nearest: RatedTorque 31000"),
             std::string::npos)
       << out.str();
@@ -135,6 +142,51 @@ TEST_F(Tune, OneLibraryInAllCases) {
   std::ostringstream out;
   EXPECT_NE(error_text([&] { run_tuning(options, out); }).find("library or entry in some of"),
             std::string::npos);
+}
+
+// Interrupted when one point of two is through its cases: that one counts, its files are gone.
+TEST_F(Tune, InterruptedBetweenPoints) {
+  const Tuning t = load_tuning(tuning(std::string(kObjective) + kGrid));
+  fs::create_directories(folder_.path("work"));
+  const Interruption interruption;
+  TuningFlights flights(t, folder_.path("work"), 1, interruption);
+  const std::vector<double> baseline = flights.fly_baseline();
+  const auto evaluations = flights.fly({{28000.0}, {29000.0}}, baseline, [&](double done) {
+    EXPECT_EQ(fs::exists(folder_.path("work/0")), done < 0.5);
+    EXPECT_FALSE(fs::exists(folder_.path("work/1")));
+    if (done == 0.5) std::raise(SIGINT);
+  });
+  ASSERT_EQ(evaluations.size(), 1U);
+  EXPECT_EQ(evaluations[0].values, Point{28000.0});
+  EXPECT_THROW(flights.check(), Interrupted);
+}
+
+/// Presses Ctrl-C at the first thing that is said.
+struct Impatient : std::stringbuf {
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    if (!pressed) std::raise(SIGINT);
+    pressed = true;
+    return std::stringbuf::xsputn(text, size);
+  }
+  bool pressed = false;
+};
+
+// An interrupted tuning leaves its table and no temporary folder.
+TEST_F(Tune, Interrupted) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid);
+  options.output_folder = folder_.path("results");
+  fs::create_directories(options.output_folder);
+  fs::create_directories(folder_.path("tmp"));
+  folder_.write("results/feedback.IN", "of yesterday");
+  const test::OtherTemporaryFolder elsewhere(folder_.path("tmp"));
+  Impatient said;
+  std::ostream out(&said);
+  EXPECT_THROW(run_tuning(options, out), sim::Interrupted);
+  EXPECT_TRUE(said.pressed);
+  EXPECT_EQ(folder_.read("results/evaluations.csv").substr(0, 6), "stage,");
+  EXPECT_FALSE(fs::exists(folder_.path("results/feedback.IN")));
+  EXPECT_TRUE(fs::is_empty(folder_.path("tmp")));
 }
 
 // The grid has four digits, like all that is flown: its border cannot be passed by rounding.
