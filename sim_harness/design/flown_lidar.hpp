@@ -17,7 +17,8 @@ struct FlownCampaign {
   std::filesystem::path table;
   std::vector<std::pair<std::string, std::string>> where;
   double run_in_s = 60.0;
-  double block_s = 100.0;  // of the coherence
+  double block_s = 100.0;        // of the coherence
+  std::filesystem::path file{};  // the design that asks for them, for messages
 };
 
 /// Keys: campaign (results.csv, from the design file's folder), where (list of "column=value"),
@@ -34,8 +35,8 @@ struct FlownLidar {
   double lead_s = 0.0;     // mean, as LDP says it, less half its window
 };
 
-/// By mean wind speed, rising. Throws lac::Error: no such column or file, runs that have not ended,
-/// too short.
+/// By mean wind speed, rising. Throws lac::Error: no such column or file, no row that is asked for,
+/// runs that have not ended, a run too short or with a lead below zero.
 std::vector<FlownLidar> flown_lidar(const FlownCampaign& campaign);
 
 }  // namespace lac::sim

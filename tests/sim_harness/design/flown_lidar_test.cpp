@@ -10,11 +10,13 @@
 #include "core/error.hpp"
 #include "sim_harness/design/flown_rotor_speed.hpp"
 #include "sim_harness/output/recording.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_folder.hpp"
 
 namespace lac::sim {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 using testing::ThrowsMessage;
@@ -25,7 +27,8 @@ constexpr int kRows = 4800;     // 600 s
 
 /// The rotor meets white noise that stays for a row of the chain; the lidar says it lead less half
 /// a window before, with noise of its own.
-void write_run(const std::filesystem::path& folder, unsigned seed, double valid = 1.0) {
+void write_run(const std::filesystem::path& folder, unsigned seed, double valid = 1.0,
+               double said_lead_s = kLead_s) {
   std::filesystem::create_directories(folder);
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
@@ -41,7 +44,7 @@ void write_run(const std::filesystem::path& folder, unsigned seed, double valid 
   Recording turbine({{"RtVAvgxh", "m/s"}, {"RotSpeed", "rpm"}}, 0.0, kStep_s, 10 * kRows);
   for (std::size_t i = 0; i < kRows; ++i) {
     const float row[] = {wind[i + ahead] + static_cast<float>(kNoise) * normal(random),
-                         static_cast<float>(kLead_s), static_cast<float>(kWindow_s),
+                         static_cast<float>(said_lead_s), static_cast<float>(kWindow_s),
                          static_cast<float>(valid)};
     chain.append(row);
     for (int j = 0; j < 10; ++j) {
@@ -65,7 +68,7 @@ FlownCampaign campaign(const test::TempFolder& folder, double valid = 1.0) {
     write_run(folder.path() / "cases" / name, seed, valid);
   }
   table << "other,failed,why,10,four,1,chain\n";
-  return {folder.path() / "results.csv", {{"lidar", "two"}}, 60.0, 25.0};
+  return {folder.path() / "results.csv", {{"lidar", "two"}}, 60.0, 25.0, "design.yaml"};
 }
 
 // Coherence 1/(1 + n^2) of a lidar with noise, delay and lead as they were put in.
@@ -125,6 +128,43 @@ TEST(FlownLidar, RefusesRunsThatDidNotEndWell) {
   EXPECT_THAT([&] { flown_lidar(c); }, ThrowsMessage<Error>(HasSubstr("has not ended well")));
   c = campaign(folder, 0.0);
   EXPECT_THAT([&] { flown_lidar(c); }, ThrowsMessage<Error>(HasSubstr("not always valid")));
+}
+
+// A condition that no row meets is told with what there is, among the rows that the others leave.
+TEST(FlownLidar, SaysWhichConditionLeavesNothing) {
+  const test::TempFolder folder;
+  FlownCampaign c = campaign(folder);
+  c.where = {{"lidar", "three"}};
+  EXPECT_THAT([&] { flown_lidar(c); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("design.yaml: flown_lidar.where: found "
+                                                   "lidar=three, which leaves no row of "),
+                                         HasSubstr("results.csv; expected one of four, two"))));
+  c.where = {{"lidar", "two"}, {"case", "other"}};
+  EXPECT_THAT([&] { flown_lidar(c); },
+              ThrowsMessage<Error>(HasSubstr("expected one of seed-1, seed-2, seed-3")));
+  folder.write("results.csv", "case,status,mean_speed_mps,controller\n");
+  c.where.clear();
+  EXPECT_THAT([&] { flown_lidar(c); }, ThrowsMessage<Error>(HasSubstr("has no row")));
+}
+
+// Leads that no lidar has, and runs too short for lead, block or run-in: told with their file.
+TEST(FlownLidar, NamesTheRunThatIsTooShort) {
+  const test::TempFolder folder;
+  FlownCampaign c = campaign(folder);
+  const auto problem = [&](double lead_s) {
+    write_run(folder.path() / "cases/seed-2", 2, 1.0, lead_s);
+    return test::error_text([&] { flown_lidar(c); });
+  };
+  const auto of_run = HasSubstr("seed-2");
+  EXPECT_THAT(problem(-2.0), AllOf(of_run, HasSubstr("is -2.5 s, expected 0 or more")));
+  EXPECT_THAT(problem(NAN), AllOf(of_run, HasSubstr("expected 0 or more")));
+  EXPECT_THAT(problem(5000.0), AllOf(of_run, HasSubstr("540 s are left behind the run-in")));
+  c.block_s = 541.0;
+  EXPECT_THAT(problem(kLead_s), HasSubstr("a block of 541 s (flown_lidar.block_s)"));
+  c.block_s = 25.0, c.run_in_s = 590.0;
+  EXPECT_THAT(problem(kLead_s), HasSubstr("10 s are left behind the run-in"));
+  c.run_in_s = 1000.0;
+  EXPECT_THAT(problem(kLead_s), HasSubstr("flown_lidar.run_in_s"));
 }
 
 // A constant rotor speed has no spectrum; files of different lengths are refused.
