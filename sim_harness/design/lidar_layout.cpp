@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 
+#include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/lidar_block.hpp"
 #include "core/units.hpp"
 #include "sim_harness/lidar/beam_samples.hpp"
@@ -38,35 +40,63 @@ std::string list_of(const std::vector<LidarBeam>& beams, const Value& value) {
   return text + "]";
 }
 
+/// New beams cannot have the times of the old ones, unless these are all the same.
+double common_beam_time_s(const ScanPattern& scan) {
+  if (scan.beams.empty()) return scan.beam_time_s;
+  const double first_s = scan.time_of_s(scan.beams.front());
+  for (const LidarBeam& beam : scan.beams) {
+    if (scan.time_of_s(beam) == first_s) continue;
+    throw Error("found beams that take " + shortest(first_s) + " s and " +
+                shortest(scan.time_of_s(beam)) +
+                " s, expected one time for all, as a layout replaces them (beam_time_s, and no "
+                "time_s of a beam)");
+  }
+  return first_s;
+}
+
 double rounded(double value) {
   return std::round(1e3 * value) / 1e3;
 }
 
 std::string probe_keys(const RangeWeighting& w) {
+  const std::string points = "\nweighting_points: " + std::to_string(w.points) + "\n";
   switch (w.kind) {
     case ProbeKind::kGaussian:
-      return w.is_point() ? "probe: point\n" : "fwhm_m: " + shortest(w.fwhm_m) + "\n";
+      return w.is_point() ? "probe: point\n" : "fwhm_m: " + shortest(w.fwhm_m) + points;
     case ProbeKind::kPulse:
       return "probe: pulse\npulse_length_m: " + shortest(w.pulse_length_m) +
-             "\ngate_length_m: " + shortest(w.gate_length_m) + "\n";
+             "\ngate_length_m: " + shortest(w.gate_length_m) + points;
     default:
       return "probe: continuous_wave\nrayleigh_length_m: " + shortest(w.rayleigh_length_m) +
-             "\nrayleigh_at_m: " + shortest(w.rayleigh_at_m) + "\n";
+             "\nrayleigh_at_m: " + shortest(w.rayleigh_at_m) +
+             "\nreach_rayleigh_lengths: " + shortest(w.reach_rayleigh) + points;
   }
 }
 
+std::string timing_keys(const ScanPattern& s) {
+  std::string text = "beam_time_s: " + shortest(s.beam_time_s) + "\n";
+  if (s.simultaneous) text += "beams_taken: at_once\n";
+  if (s.beam_pause_s > 0.0) text += "beam_pause_s: " + shortest(s.beam_pause_s) + "\n";
+  if (s.scan_pause_s > 0.0) text += "scan_pause_s: " + shortest(s.scan_pause_s) + "\n";
+  if (s.samples_per_beam > 1)
+    text += "samples_per_beam: " + std::to_string(s.samples_per_beam) + "\n";
+  return text;
+}
+
 std::string mounting_keys(const MountingParams& m) {
-  std::ostringstream text;
-  text << "offset_m: [" << m.offset_m.x << ", " << m.offset_m.y << ", " << m.offset_m.z << "]\n"
-       << "tilt_deg: " << deg_from_rad(m.tilt_rad) << "\nroll_deg: " << deg_from_rad(m.roll_rad)
-       << "\nyaw_deg: " << deg_from_rad(m.yaw_rad) << "\n";
-  if (m.place == MountingPlace::kSpinner) text << "mounted_on: spinner\n";
-  return text.str();
+  const auto deg = [](double angle_rad) { return shortest(rounded(deg_from_rad(angle_rad))); };
+  return "offset_m: [" + shortest(m.offset_m.x) + ", " + shortest(m.offset_m.y) + ", " +
+         shortest(m.offset_m.z) + "]\ntilt_deg: " + deg(m.tilt_rad) +
+         "\nroll_deg: " + deg(m.roll_rad) + "\nyaw_deg: " + deg(m.yaw_rad) +
+         "\ntower_slope: " + shortest(m.tower_slope) +
+         "\ntower_travel_m: " + shortest(m.tower_travel_m) + "\n" +
+         (m.place == MountingPlace::kSpinner ? "mounted_on: spinner\n" : "");
 }
 
 }  // namespace
 
 LidarParams with_layout(LidarParams lidar, const LidarLayout& l) {
+  lidar.scan.beam_time_s = common_beam_time_s(lidar.scan);
   lidar.scan.beams = beams_of(l);
   lidar.gates_m.clear();
   for (int i = 0; i < l.gates; ++i) {
@@ -106,7 +136,7 @@ std::string lidar_file(const LidarParams& lidar, const std::string& comment) {
       list_of(beams, [](const LidarBeam& b) { return rounded(deg_from_rad(b.azimuth_rad)); }) +
       "\nbeam_elevation_deg: " +
       list_of(beams, [](const LidarBeam& b) { return rounded(deg_from_rad(b.elevation_rad)); }) +
-      "\nbeam_time_s: " + shortest(lidar.scan.beam_time_s) + "\ngates_m: [";
+      "\n" + timing_keys(lidar.scan) + "gates_m: [";
   for (std::size_t i = 0; i < lidar.gates_m.size(); ++i)
     text += (i == 0 ? "" : ", ") + shortest(rounded(lidar.gates_m[i]));
   return text + "]\ngates_along: " + (lidar.gates_along_beam ? "beam" : "axis") + "\n" +

@@ -22,7 +22,7 @@ struct LidarLayout {
 };
 
 /// The beams and gates of the layout; all else, also the time that a beam takes, as the lidar has
-/// it.
+/// it. Throws lac::Error (without a file) if its beams take different times.
 LidarParams with_layout(LidarParams lidar, const LidarLayout& layout);
 
 /// Between a beam and the viewing axis, the largest.
@@ -31,7 +31,8 @@ double largest_half_angle_rad(const LidarParams& lidar);
 /// Height over ground of the lowest centre of a gate; the rotor centre at hub height.
 double lowest_gate_m(const LidarParams& lidar, double hub_height_m);
 
-/// A lidar file (config/lidars/) that is read as this lidar; fixed beams with common gates.
+/// A lidar file (config/lidars/) that is read as this lidar, angles and gates rounded to three
+/// digits behind the point; fixed beams with common gates and times, on a platform at rest.
 /// comment: for its head, lines without mark.
 std::string lidar_file(const LidarParams& lidar, const std::string& comment);
 
