@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlopt.hpp>
 
 #include "core/error.hpp"
@@ -54,16 +55,22 @@ LayoutMap map_of(const LayoutJudge& judge, const OptimizeSettings& s, LidarLayou
   return map;
 }
 
+/// A text about `optimize` of the design file.
+Error optimize_error(const DesignCase& design, const std::string& text) {
+  return Error(design.file.string() + ": optimize" + text);
+}
+
 /// The best point of a map that is allowed.
-LidarLayout best_of(const LayoutMap& map, LidarLayout layout) {
+LidarLayout best_of(const DesignCase& design, const LayoutMap& map, LidarLayout layout) {
   const LayoutFigures* best = nullptr;
   for (const LayoutFigures& f : map.figures)
     if (f.is_allowed() && f.k05_radpm > 0.0 && (!best || f.k05_radpm > best->k05_radpm)) best = &f;
   if (!best) {
-    throw Error(
-        "optimize: no layout with " + std::to_string(layout.beams) +
-        " beams on the grid of the angles keeps the constraints and is coherent to a half " +
-        "anywhere; expected wider ranges, or gates farther away");
+    throw optimize_error(design,
+                         ": no layout with " + std::to_string(layout.beams) +
+                             " beams on the grid of azimuth_deg and elevation_deg keeps the "
+                             "constraints and is coherent to a half anywhere; expected wider "
+                             "ranges, or gates farther away");
   }
   const auto i = static_cast<std::size_t>(best - map.figures.data());
   layout.azimuth_rad = map.azimuth_rad[i % map.azimuth_rad.size()];
@@ -91,7 +98,14 @@ class Search {
     std::vector<double> x = position(layout_);
     best_ = layout_, best_figures_ = judge_.figures(layout_);
     double ignored = 0.0;
-    search.optimize(x, ignored);
+    try {
+      search.optimize(x, ignored);
+    } catch (const nlopt::roundoff_limited&) {
+      // It ends where rounding stops it; the best layout until then counts.
+    } catch (const nlopt::forced_stop&) {
+      // The judge has thrown.
+    }
+    if (failure_) std::rethrow_exception(failure_);
     return best_;
   }
   int judged() const { return judged_; }
@@ -112,12 +126,22 @@ class Search {
       const Interval& r = free_[i].range;
       layout_.*free_[i].place = std::clamp(std::lerp(r.low, r.high, x[i]), r.low, r.high);
     }
-    figures_ = judge_.figures(layout_);
+    figures_ = judged_figures();
     last_ = at;
     ++judged_;
     if (figures_.is_allowed() && figures_.k05_radpm > best_figures_.k05_radpm)
       best_ = layout_, best_figures_ = figures_;
     return figures_;
+  }
+
+  /// NLopt would make an error its own, without a text.
+  LayoutFigures judged_figures() {
+    try {
+      return judge_.figures(layout_);
+    } catch (...) {
+      if (!failure_) failure_ = std::current_exception();
+      throw nlopt::forced_stop();
+    }
   }
 
   static double objective(unsigned n, const double* x, double* /*gradient*/, void* self) {
@@ -135,11 +159,13 @@ class Search {
   LidarLayout layout_, best_;
   LayoutFigures figures_, best_figures_;
   std::vector<double> last_;
+  std::exception_ptr failure_;
   int judged_ = 0;
 };
 
-OptimizedLidar optimize_beams(const LayoutJudge& judge, const OptimizeSettings& s, int beams,
-                              int threads) {
+OptimizedLidar optimize_beams(const DesignCase& design, const LayoutJudge& judge,
+                              const OptimizeSettings& s, int beams) {
+  const int threads = design.curves.threads;
   const LidarLayout start{beams,
                           s.azimuth_rad.middle(),
                           s.elevation_rad.middle(),
@@ -148,7 +174,7 @@ OptimizedLidar optimize_beams(const LayoutJudge& judge, const OptimizeSettings& 
                           s.gates};
   OptimizedLidar r;
   r.map = map_of(judge, s, start, threads);
-  r.best_of_grid = best_of(r.map, start);
+  r.best_of_grid = best_of(design, r.map, start);
   r.grid_figures = judge.figures(r.best_of_grid);
   Search search(judge, s, r.best_of_grid);
   r.best = search.run(), r.figures = search.figures();
@@ -158,16 +184,28 @@ OptimizedLidar optimize_beams(const LayoutJudge& judge, const OptimizeSettings& 
   return r;
 }
 
+/// What a layout takes from the lidar of the design has to be there.
+void check_lidar(const DesignCase& design) {
+  try {
+    with_layout(design.lidar, {});
+  } catch (const Error& e) {
+    throw Error(design.file.string() + ": lidar: " + e.what());
+  }
+}
+
 }  // namespace
 
 std::vector<OptimizedLidar> optimize_lidar(const DesignCase& design,
                                            const OptimizeSettings& settings) {
   if (free_numbers(settings).empty())
-    throw Error("optimize: nothing is free, expected a range of two numbers somewhere");
+    throw optimize_error(design,
+                         ": nothing is free, expected [from, to] for one of azimuth_deg, "
+                         "elevation_deg, first_gate_m, last_gate_m");
+  check_lidar(design);
   const LayoutJudge judge(design, settings);
   std::vector<OptimizedLidar> all;
   for (const int beams : settings.beams)
-    all.push_back(optimize_beams(judge, settings, beams, design.curves.threads));
+    all.push_back(optimize_beams(design, judge, settings, beams));
   return all;
 }
 

@@ -56,10 +56,12 @@ struct OptimizedLidar {
   LayoutMap map;
 };
 
-/// For each number of beams: brute force over a grid of the angles, the free gates at their
-/// nearest; from its best point NLopt, COBYLA (Powell 1994), with all that is free, within bounds
+/// For each number of beams: brute force over a grid of the angles, a free first gate at its
+/// nearest (at its farthest if lead_at_mps is given), a free last one in the middle; from its best
+/// point NLopt, COBYLA (Powell 1994), with all that is free, within bounds
 /// and constraints; then the map at the gates that were found. Throws lac::Error if no point of the
-/// grid keeps the constraints, or if nothing is free.
+/// grid keeps the constraints, if nothing is free, if the beams of the lidar take different times,
+/// or as the judge does.
 std::vector<OptimizedLidar> optimize_lidar(const DesignCase& design,
                                            const OptimizeSettings& settings);
 

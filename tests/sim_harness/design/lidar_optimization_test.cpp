@@ -16,6 +16,7 @@
 namespace lac::sim {
 namespace {
 
+using testing::AllOf;
 using testing::Each;
 using testing::Field;
 using testing::HasSubstr;
@@ -94,15 +95,41 @@ TEST(LidarOptimization, KeepsItsConstraints) {
 
 // No layout at all is an error, not a number.
 TEST(LidarOptimization, SaysWhenNothingIsAllowed) {
-  EXPECT_THAT([] { optimum(design({"optimize.largest_half_angle_deg=3"})); },
-              ThrowsMessage<Error>(HasSubstr("keeps the constraints")));
+  EXPECT_THAT(
+      [] { optimum(design({"optimize.largest_half_angle_deg=3"})); },
+      ThrowsMessage<Error>(AllOf(HasSubstr("nrel5mw_beams.yaml: optimize: no layout with 4"),
+                                 HasSubstr("keeps the constraints"))));
   EXPECT_THAT(
       [] {
         optimum(design({"optimize.azimuth_deg=[14]", "optimize.elevation_deg=[14]"}));
       },
-      ThrowsMessage<Error>(HasSubstr("nothing is free")));
+      ThrowsMessage<Error>(HasSubstr("nrel5mw_beams.yaml: optimize: nothing is free")));
   EXPECT_THAT([] { design({"optimize.azimuth_deg=[20, 10]"}); },
               ThrowsMessage<Error>(HasSubstr("two that rise")));
+}
+
+// A layout that cannot be judged, met by the search alone: the grid has the gate at its farthest.
+TEST(LidarOptimization, HandsOnWhatTheJudgeThrows) {
+  DesignCase d = design({"turbulence.kind=kaimal", "probe_volume=three_point", "optimize.gates=1",
+                         "optimize.first_gate_m=[5, 45]", "optimize.lead_at_mps=16"});
+  d.lidar.gates_along_beam = false;
+  d.lidar.mounting = {};
+  d.lidar.mounting.offset_m.x = 44.5;
+  d.timing.buffer_trim_s = LookupTable({0.0}, {100.0});
+  EXPECT_THAT([&] { optimum(d); }, ThrowsMessage<Error>(HasSubstr("behind the rotor")));
+}
+
+// New beams take the time that all the old ones took; of two times none is guessed.
+TEST(LidarOptimization, KeepsTheTimeOfABeam) {
+  DesignCase d = design({"turbulence.kind=kaimal", "probe_volume=three_point"});
+  for (LidarBeam& beam : d.lidar.scan.beams) beam.time_s = 0.4;
+  d.lidar.scan.beam_time_s = 0.25;
+  EXPECT_EQ(with_layout(d.lidar, guo()).scan.scan_time_s(), 4 * 0.4);
+  d.lidar.scan.beams.back().time_s = 0.0;
+  EXPECT_THAT(
+      [&] { optimum(d); },
+      ThrowsMessage<Error>(HasSubstr(
+          "nrel5mw_beams.yaml: lidar: found beams that take 0.4 s and 0.25 s, expected one time")));
 }
 
 // The written lidar is read as the one that was found; page and map have every layout.
@@ -120,6 +147,67 @@ TEST(LidarOptimization, WritesALidarThatIsReadAgain) {
   const std::string map = map_csv(found), page = map_page(d, found);
   EXPECT_EQ(std::count(map.begin(), map.end(), '\n'), 1 + 25);
   EXPECT_THAT(page, HasSubstr("<svg"));
+}
+
+LidarParams written_and_read(const LidarParams& lidar) {
+  const test::TempFolder folder;
+  return load_lidar(folder.write("lidar.yaml", lidar_file(lidar, {})));
+}
+
+// Nothing of a lidar is lost on its way through a file: all keys off their defaults.
+TEST(LidarLayout, IsWrittenWhole) {
+  LidarParams lidar;
+  lidar.scan.beams = {{0.2, 0.1, 0.0, {}}, {-0.2, 0.1, 0.0, {}}};
+  lidar.scan.beam_time_s = 0.3, lidar.scan.beam_pause_s = 0.05, lidar.scan.scan_pause_s = 0.7;
+  lidar.scan.samples_per_beam = 4;
+  lidar.gates_m = {60.0, 90.5};
+  lidar.gates_along_beam = false;
+  lidar.weighting = {ProbeKind::kLorentzian, 30.0, 30.0, 30.0, 7.5, 80.0, 20.0, 31};
+  lidar.mounting = {MountingPlace::kSpinner,
+                    {-1.25, 0.5, 2.125},
+                    rad_from_deg(1.5),
+                    rad_from_deg(-2.5),
+                    rad_from_deg(3.25),
+                    1.5,
+                    14.0};
+  const LidarParams again = written_and_read(lidar);
+  EXPECT_EQ(again.scan.beam_time_s, 0.3);
+  EXPECT_EQ(again.scan.beam_pause_s, 0.05);
+  EXPECT_EQ(again.scan.scan_pause_s, 0.7);
+  EXPECT_EQ(again.scan.samples_per_beam, 4);
+  EXPECT_FALSE(again.scan.simultaneous);
+  EXPECT_EQ(again.gates_m, lidar.gates_m);
+  EXPECT_FALSE(again.gates_along_beam);
+  EXPECT_EQ(again.weighting.rayleigh_length_m, 7.5);
+  EXPECT_EQ(again.weighting.rayleigh_at_m, 80.0);
+  EXPECT_EQ(again.weighting.reach_rayleigh, 20.0);
+  EXPECT_EQ(again.weighting.points, 31);
+  EXPECT_EQ(again.mounting.place, MountingPlace::kSpinner);
+  EXPECT_EQ(again.mounting.offset_m.x, -1.25);
+  EXPECT_EQ(again.mounting.offset_m.z, 2.125);
+  EXPECT_NEAR(again.mounting.tilt_rad, lidar.mounting.tilt_rad, 1e-12);
+  EXPECT_NEAR(again.mounting.roll_rad, lidar.mounting.roll_rad, 1e-12);
+  EXPECT_NEAR(again.mounting.yaw_rad, lidar.mounting.yaw_rad, 1e-12);
+  EXPECT_EQ(again.mounting.tower_slope, 1.5);
+  EXPECT_EQ(again.mounting.tower_travel_m, 14.0);
+}
+
+// The other probe volumes, and beams taken at once.
+TEST(LidarLayout, IsWrittenWithEveryProbe) {
+  LidarParams lidar = with_layout({}, {2, 0.2, 0.0, 60.0, 60.0, 1});
+  lidar.scan.simultaneous = true;
+  lidar.weighting = {ProbeKind::kPulse, 30.0, 24.0, 36.0, 10.0, 100.0, 10.0, 15};
+  LidarParams again = written_and_read(lidar);
+  EXPECT_TRUE(again.scan.simultaneous);
+  EXPECT_EQ(again.weighting.kind, ProbeKind::kPulse);
+  EXPECT_EQ(again.weighting.pulse_length_m, 24.0);
+  EXPECT_EQ(again.weighting.gate_length_m, 36.0);
+  EXPECT_EQ(again.weighting.points, 15);
+  lidar.weighting = {};
+  lidar.weighting.points = 21;
+  EXPECT_EQ(written_and_read(lidar).weighting.points, 21);
+  lidar.weighting.fwhm_m = 0.0;
+  EXPECT_TRUE(written_and_read(lidar).weighting.is_point());
 }
 
 // The patterns by their number of beams: left and right alike, as many as asked for.
