@@ -196,6 +196,18 @@ TEST_F(Tune, GridOfFourDigits) {
   EXPECT_EQ(t.parameters[0].values, (std::vector<double>{27000.0, 28800.0, 31000.0}));
 }
 
+// A folder that cannot be made is said before anything flies.
+TEST_F(Tune, MakesTheFolderFirst) {
+  TuningOptions options;
+  options.file = tuning(std::string(kObjective) + kGrid);
+  folder_.write("file", "");
+  options.output_folder = folder_.path("file/results");
+  std::ostringstream out;
+  EXPECT_NE(error_text([&] { run_tuning(options, out); }).find("cannot be made"),
+            std::string::npos);
+  EXPECT_EQ(out.str(), "");
+}
+
 // The template is never written over.
 TEST_F(Tune, KeepsTheTemplate) {
   TuningOptions options;
