@@ -80,6 +80,10 @@ void design_command(const DesignOptions& o, std::ostream& out) {
     throw Error(design.file.string() + ": |G_RL| at the cut-off moves by " + shortest(error) +
                 " with finer steps; raise quadrature_nodes, or range_points");
   }
+  const fs::path folder = o.output_folder.empty() ? design.output_folder : o.output_folder;
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw Error(folder.string() + ": cannot be made: " + failed.message());
   DesignResult result{design, lidar, curves, std::move(points), error};
   predict(result);
   out << design_table(result);
@@ -90,10 +94,6 @@ void design_command(const DesignOptions& o, std::ostream& out) {
     out << '\n' << closed_loop_table(*result.closed_loop);
     out << flown_table(*result.closed_loop, design);
   }
-  const fs::path folder = o.output_folder.empty() ? design.output_folder : o.output_folder;
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) throw Error(folder.string() + ": cannot be made: " + failed.message());
   write_inputs(folder, result, out);
   write(folder / "schedule.csv", schedule_csv(result), out);
   write(folder / "curves.csv", curves_csv(result), out);

@@ -25,14 +25,14 @@ void optimize_command(const DesignOptions& o, std::ostream& out) {
     throw Error(design.file.string() +
                 ": optimize: missing, expected what is free and what must hold (docs/design.md)");
   }
-  const std::vector<OptimizedLidar> found = optimize_lidar(design, *design.optimize);
-  const LayoutJudge judge(design, *design.optimize);
-  out << optimize_table(design, found, judge.figures(design.lidar).k05_radpm);
   const std::filesystem::path folder =
       o.output_folder.empty() ? design.output_folder : o.output_folder;
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw Error(folder.string() + ": cannot be made: " + failed.message());
+  const std::vector<OptimizedLidar> found = optimize_lidar(design, *design.optimize);
+  const LayoutJudge judge(design, *design.optimize);
+  out << optimize_table(design, found, judge.figures(design.lidar).k05_radpm);
   const OptimizedLidar& best = best_of(found);
   write_table(folder / "map.csv", map_csv(found), out);
   write_table(folder / "map.html", map_page(design, found), out);

@@ -86,5 +86,17 @@ TEST(DesignCommand, RefusesAQuadratureThatHasNotConverged) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
 }
 
+// A folder that cannot be made is said before the long part, not after it.
+TEST(DesignCommand, MakesTheFolderFirst) {
+  const test::TempFolder folder;
+  DesignOptions options = coarse(folder);
+  folder.write("file", "");
+  options.output_folder = folder.path() / "file/out";
+  std::ostringstream out;
+  EXPECT_THAT([&] { design_command(options, out); },
+              ThrowsMessage<Error>(HasSubstr("cannot be made")));
+  EXPECT_EQ(out.str(), "");
+}
+
 }  // namespace
 }  // namespace lac::sim
