@@ -50,7 +50,8 @@ RotorSpeedPrediction::RotorSpeedPrediction(const LinearTurbine& turbine,
     s_ll_.push_back(scale * curve.s_ll[i]);
     s_rl_.push_back(scale * curve.s_rl[i]);
     per_wind_.push_back(g.per_wind);
-    per_estimate_.push_back(g.per_feedforward * slope_radspm * sinc(f_hz * window_s));
+    window_gain_.push_back(sinc(f_hz * window_s));
+    per_estimate_.push_back(g.per_feedforward * slope_radspm * window_gain_.back());
   }
 }
 
@@ -113,7 +114,7 @@ double RotorSpeedPrediction::best_trim_s(const LowPassDesign& low_pass) const {
 double RotorSpeedPrediction::filtered_deviation_mps(const LowPassDesign& low_pass) const {
   std::vector<double> density;
   for (std::size_t i = 0; i < s_ll_.size(); ++i) {
-    const double gain = gain_of(low_pass, frequency_hz_[i]);
+    const double gain = window_gain_[i] * gain_of(low_pass, frequency_hz_[i]);
     density.push_back(gain * gain * s_ll_[i]);
   }
   return deviation_radps(density);

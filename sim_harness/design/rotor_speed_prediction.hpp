@@ -47,11 +47,11 @@ class RotorSpeedPrediction {
 
   /// The trim within +-3 s with the least standard deviation.
   double best_trim_s(const LowPassDesign& low_pass) const;
-  /// Standard deviation of the estimate behind the low-pass [m/s].
+  /// Standard deviation of the estimate behind LDP's window and the low-pass [m/s].
   double filtered_deviation_mps(const LowPassDesign& low_pass) const;
 
  private:
-  std::vector<double> frequency_hz_, s_rr_, s_ll_;
+  std::vector<double> frequency_hz_, s_rr_, s_ll_, window_gain_;
   std::vector<std::complex<double>> s_rl_, per_wind_, per_estimate_;  // G_L without low-pass, delay
   FeedforwardTiming timing_;
 };

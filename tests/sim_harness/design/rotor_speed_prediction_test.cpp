@@ -170,6 +170,15 @@ TEST(RotorSpeedPrediction, HasItsLimits) {
   EXPECT_NEAR(blind.deviation_radps(blind.least()), alone, 1e-12);
 }
 
+// A narrow band of S_LL = 1 about 0.2 Hz, behind a window of 1 s and a low-pass of 0.2 Hz.
+TEST(RotorSpeedPrediction, FiltersTheEstimateThroughTheWindow) {
+  constexpr double kWidth_hz = 1e-4;
+  const RotorSpeedPrediction p = prediction(same_wind({0.2, 0.2 + kWidth_hz}));
+  const double window = std::sin(0.2 * kPi) / (0.2 * kPi);
+  EXPECT_NEAR(p.filtered_deviation_mps({1, 0.2, 0.0}), window * std::sqrt(0.5 * kWidth_hz),
+              1e-3 * std::sqrt(kWidth_hz));
+}
+
 // Bands share the variance out without a rest.
 TEST(RotorSpeedPrediction, SharesItsVarianceOverBands) {
   const RotorSpeedPrediction p = prediction(same_wind({0.01, 0.03, 0.07, 0.2}));
