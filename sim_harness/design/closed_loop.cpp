@@ -2,6 +2,7 @@
 #include "sim_harness/design/closed_loop.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "core/units.hpp"
 #include "feedback/gain_design.hpp"
@@ -55,8 +56,11 @@ ClosedLoopPoint point_of(const RotorSpeedPrediction& p, const FeedforwardPoint& 
   r.with_best_trim = deviation(1.0, r.best_trim_s - trim_s);
   r.with_template = p.deviation_radps(p.assisted(r.of_template));
   r.template_verdict = verdict(p, r.designed, r.of_template);
-  r.share_above_threshold = normal_share_above(
-      r.mean_speed_mps, p.filtered_deviation_mps(r.designed.low_pass), ffp.threshold_mps);
+  r.share_above_threshold =
+      ffp.entry == EntryRule::Threshold
+          ? normal_share_above(r.mean_speed_mps, p.filtered_deviation_mps(r.designed.low_pass),
+                               ffp.threshold_mps)
+          : std::numeric_limits<double>::quiet_NaN();
   return r;
 }
 

@@ -22,8 +22,9 @@ struct ClosedLoopPoint {
   double half_cutoff = 0.0, twice_cutoff = 0.0;    // the buffer computed anew
   double best_trim_s = 0.0, with_best_trim = 0.0;  // BufferTrim that would be best here
   double with_template = 0.0;
-  std::string template_verdict;        // why it is worse, if it is
-  double share_above_threshold = 0.0;  // of the time, were the filtered estimate normal
+  std::string template_verdict;  // why it is worse, if it is
+  /// Of the time, were the filtered estimate normal; NaN if the entry has no threshold.
+  double share_above_threshold = 0.0;
 };
 inline constexpr double kBufferError_s = 1.0;
 
@@ -46,6 +47,7 @@ std::string closed_loop_csv(const ClosedLoop& loop);
 std::string rotor_speed_csv(const ClosedLoop& loop);
 
 /// Variance of the rotor speed by band [rpm^2], predicted beside flown; empty without flown runs.
+/// Names the runs at speeds that the loop does not have.
 std::string flown_table(const ClosedLoop& loop, const DesignCase& design);
 
 }  // namespace lac::sim

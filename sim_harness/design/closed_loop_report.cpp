@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/input_file.hpp"
 #include "core/units.hpp"
 #include "sim_harness/design/closed_loop.hpp"
 #include "sim_harness/output/text_table.hpp"
@@ -63,7 +64,9 @@ std::string closed_loop_table(const ClosedLoop& loop) {
                    change(p.least), change(p.late), change(p.early), change(p.half_cutoff),
                    change(p.twice_cutoff), format_value(p.best_trim_s, 2), change(p.with_best_trim),
                    change(p.with_template), p.template_verdict,
-                   format_value(100.0 * p.share_above_threshold, 0) + " %"});
+                   std::isnan(p.share_above_threshold)
+                       ? "n/a"
+                       : format_value(100.0 * p.share_above_threshold, 0) + " %"});
   }
   return "predicted standard deviation of the rotor speed, against feedback only:\n" + table.text();
 }
@@ -105,14 +108,20 @@ std::string flown_table(const ClosedLoop& loop, const DesignCase& design) {
   if (design.flown.empty()) return {};
   TextTable table({"wind [m/s]", "band [Hz]", "fb predicted [rpm^2]", "flown", "lac predicted",
                    "flown", "std predicted", "flown"});
+  std::string notes;
   for (const FlownRuns& runs : design.flown) {
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const ClosedLoopPoint& p = loop.points[i];
-      if (p.mean_speed_mps == runs.mean_speed_mps)
-        add_rows(table, loop.predictions[i], runs, runs.designed ? p.designed : p.of_template);
+    const auto at =
+        std::ranges::find(loop.points, runs.mean_speed_mps, &ClosedLoopPoint::mean_speed_mps);
+    if (at == loop.points.end()) {
+      notes += "not compared: the runs flown at " + shortest(runs.mean_speed_mps) +
+               " m/s, for which the closed loop is not predicted (near or below rated, or no gate "
+               "leads enough)\n";
+      continue;
     }
+    const auto i = static_cast<std::size_t>(at - loop.points.begin());
+    add_rows(table, loop.predictions[i], runs, runs.designed ? at->designed : at->of_template);
   }
-  return "variance of the rotor speed by band, predicted beside flown:\n" + table.text();
+  return "variance of the rotor speed by band, predicted beside flown:\n" + table.text() + notes;
 }
 
 }  // namespace lac::sim

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -14,6 +15,7 @@
 namespace lac::sim {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -58,6 +60,40 @@ TEST(DesignCommand, LeavesItsTemplateAlone) {
   EXPECT_THAT([&] { design_command(options, out); },
               ThrowsMessage<Error>(HasSubstr("is the template of the design")));
   EXPECT_EQ(std::filesystem::file_size(own), size);
+}
+
+// Runs at a speed without a prediction are named, not dropped.
+TEST(DesignCommand, NamesFlownRunsThatItCannotCompare) {
+  const test::TempFolder folder;
+  DesignOptions options = coarse(folder);
+  options.overrides.push_back("wind_speeds_mps=[8, 16, 20]");
+  options.overrides.push_back(
+      "flown=[{mean_speed_mps: 8, feedback_only: [fb.outb], lidar_assisted: [lac.outb]}]");
+  std::ostringstream out;
+  design_command(options, out);
+  EXPECT_THAT(out.str(), HasSubstr("not compared: the runs flown at 8 m/s"));
+}
+
+// An entry that blends has no threshold to be above.
+TEST(DesignCommand, HasNoShareAboveAThresholdThatIsNotThere) {
+  const test::TempFolder folder;
+  std::ifstream given(LAC_SOURCE_DIR "/config/nrel5mw/ffp.IN");
+  std::string text;
+  for (std::string line; std::getline(given, line);) {
+    const bool of_threshold = line.find(" ThresholdSpeed ") != std::string::npos ||
+                              line.find(" Hysteresis ") != std::string::npos;
+    if (!of_threshold) text += line + "\n";
+  }
+  DesignOptions options = coarse(folder);
+  options.overrides.push_back(
+      "feedforward.template=" +
+      folder.write("blend.IN", text + "blend ! Entry\n12.0 15.0 ! BlendSpeeds\n"));
+  std::ostringstream out;
+  design_command(options, out);
+  std::istringstream table(folder.read("out/closed_loop.csv"));
+  std::string line;
+  for (std::getline(table, line); std::getline(table, line);) EXPECT_THAT(line, EndsWith(","));
+  EXPECT_THAT(out.str(), HasSubstr(" n/a\n"));
 }
 
 // Tables 1 and 2 of Guo et al. (2023) out of their Mann tensor: stable, L_u 101.1 m, a_x 1.6 of the
