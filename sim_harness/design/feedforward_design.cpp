@@ -46,19 +46,22 @@ LowPassDesign low_pass(const CorrelationCurve& curve, const FeedforwardPoint& p,
   return fit_low_pass(t.filter_order, curve, t.delay_frequency_hz, std::max(left_s, 0.0));
 }
 
-FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, CutoffRule rule,
-                            const FeedforwardTiming& t) {
+Error no_cutoff(const CorrelationCurve& curve, double distance_m, CutoffRule rule) {
+  return Error("at " + shortest(curve.mean_speed_mps) + " m/s with gates from " +
+               shortest(distance_m) + " m: " + how_missed(curve, rule) +
+               "; the lidar sees too little of what the rotor feels, or the range is too short");
+}
+
+/// Empty if the gain does not give a cut-off.
+std::optional<FeedforwardPoint> point_with(const CorrelationCurve& curve, double distance_m,
+                                           CutoffRule rule, const FeedforwardTiming& t) {
   FeedforwardPoint p;
   p.mean_speed_mps = curve.mean_speed_mps;
   p.nearest_gate_m = distance_m;
   p.figures = figures_of_merit(curve);
-  const auto& cutoff =
+  const std::optional<double>& cutoff =
       rule == CutoffRule::kClosestFit ? p.figures.fitted_cutoff_hz : p.figures.cutoff_hz;
-  if (!cutoff) {
-    throw Error("at " + shortest(curve.mean_speed_mps) + " m/s with gates from " +
-                shortest(distance_m) + " m: " + how_missed(curve, rule) +
-                "; the lidar sees too little of what the rotor feels, or the range is too short");
-  }
+  if (!cutoff) return std::nullopt;
   p.cutoff_hz = *cutoff;
   p.lead_s = distance_m / curve.mean_speed_mps;
   p.actuator_s =
@@ -76,20 +79,24 @@ FeedforwardPoint point_with(const CorrelationCurve& curve, double distance_m, Cu
 FeedforwardPoint design_at(const CorrelationCurves& curves, std::size_t speed,
                            const LidarVolumes& lidar, CutoffRule rule,
                            const FeedforwardTiming& timing) {
-  std::optional<FeedforwardPoint> best;
+  std::optional<FeedforwardPoint> best, without_lead;
   for (std::size_t first = 0; first < lidar.planes.size(); ++first) {
-    FeedforwardPoint p =
-        point_with(curves.curve(speed, first), lidar.planes[first].distance_m, rule, timing);
-    p.first_plane = first;
-    if (p.buffer_s() < timing.lead_margin_s) continue;
-    if (!is_fitted(rule, timing)) return p;
-    if (!best || p.share_left < best->share_left) best = p;
+    const CorrelationCurve curve = curves.curve(speed, first);
+    const double distance_m = lidar.planes[first].distance_m;
+    std::optional<FeedforwardPoint> p = point_with(curve, distance_m, rule, timing);
+    // A fit looks for the best set of gates, so one without a cut-off is no candidate.
+    if (!p && is_fitted(rule, timing)) continue;
+    if (!p) throw no_cutoff(curve, distance_m, rule);
+    p->first_plane = first;
+    const bool has_lead = p->buffer_s() >= timing.lead_margin_s;
+    if (has_lead && !is_fitted(rule, timing)) return *p;
+    if (has_lead && (!best || p->share_left < best->share_left)) best = p;
+    if (!has_lead && !without_lead) without_lead = p;
   }
   if (best) return *best;
-  FeedforwardPoint p =
-      point_with(curves.curve(speed), lidar.planes.front().distance_m, rule, timing);
-  p.is_usable = false;
-  return p;
+  if (!without_lead) throw no_cutoff(curves.curve(speed), lidar.planes.front().distance_m, rule);
+  without_lead->is_usable = false;
+  return *without_lead;
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ struct FeedforwardPoint {
   double mean_speed_mps = 0.0;
   std::size_t first_plane = 0;  // nearer ones are left out: their wind arrives too soon
   double nearest_gate_m = 0.0;
-  bool is_usable = true;  // false: not even the farthest gate leads enough; figures of all gates
+  /// false: not even the farthest gate leads enough; figures of all gates (of a fit, of the most
+  /// that have a cut-off)
+  bool is_usable = true;
   FiguresOfMerit figures;
   double cutoff_hz = 0.0;  // of the gain, by its rule
   LowPassDesign low_pass;  // order 1: with this cut-off
@@ -53,7 +55,7 @@ struct FeedforwardPoint {
 
 /// The cut-off at each wind speed with the gates that arrive in time. The nearest gate is left out
 /// while its lead is below what its own cut-off needs (GUO Fig. 8). Throws lac::Error where the
-/// gain does not give a cut-off.
+/// gain does not give a cut-off; a fit leaves such a set of gates out while there is another.
 std::vector<FeedforwardPoint> design_feedforward(const CorrelationCurves& curves,
                                                  const LidarVolumes& lidar, CutoffRule rule,
                                                  const FeedforwardTiming& timing);

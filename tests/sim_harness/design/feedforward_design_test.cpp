@@ -162,5 +162,42 @@ TEST(FeedforwardDesign, RefusesAGainWithoutACutoff) {
   }
 }
 
+/// The same, without a cut-off for some sets of gates.
+class PartlyFlatModel : public FirstOrderModel {
+ public:
+  explicit PartlyFlatModel(std::vector<std::size_t> flat)
+      : FirstOrderModel(0.02), flat_(std::move(flat)) {}
+  std::vector<RotorLidarSpectra> at(double k1_radpm,
+                                    const std::vector<double>& speeds_mps) const override {
+    std::vector<RotorLidarSpectra> s = FirstOrderModel::at(k1_radpm, speeds_mps);
+    for (RotorLidarSpectra& of_speed : s)
+      for (const std::size_t plane : flat_) of_speed.s_rl[plane] = 0.9;
+    return s;
+  }
+
+ private:
+  std::vector<std::size_t> flat_;
+};
+
+// A fit takes another set of gates where one has no cut-off; without any it is an error, as for the
+// rules that take the first set that leads enough.
+TEST(FeedforwardDesign, FitsTheGatesThatHaveACutoff) {
+  FeedforwardTiming timing;
+  const auto design_with = [&](std::vector<std::size_t> flat, CutoffRule rule,
+                               double speed_mps = 10.0) {
+    return design_feedforward(CorrelationCurves(PartlyFlatModel(std::move(flat)), {speed_mps}, {}),
+                              three_gates(), rule, timing)[0];
+  };
+  EXPECT_EQ(design_with({0, 2}, CutoffRule::kLeastLeft).first_plane, 1u);
+  const FeedforwardPoint without_lead = design_with({0}, CutoffRule::kLeastLeft, 500.0);
+  EXPECT_FALSE(without_lead.is_usable);
+  EXPECT_EQ(without_lead.first_plane, 1u);
+  const auto no_cutoff = ThrowsMessage<Error>(HasSubstr("with gates from 50 m: |G_RL|"));
+  EXPECT_THAT([&] { design_with({0, 1, 2}, CutoffRule::kLeastLeft); }, no_cutoff);
+  EXPECT_THAT([&] { design_with({0}, CutoffRule::kAtMinus3dB); }, no_cutoff);
+  timing.filter_order = 2;
+  EXPECT_EQ(design_with({0}, CutoffRule::kAtMinus3dB).first_plane, 1u);
+}
+
 }  // namespace
 }  // namespace lac::sim
