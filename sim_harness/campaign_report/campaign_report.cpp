@@ -15,10 +15,28 @@ namespace {
 
 constexpr std::size_t kMostClasses = 8;     // of a parameter that gets views of its own
 constexpr std::size_t kFewQuantities = 12;  // in the tables, if none of the usual is there
+constexpr std::size_t kMostListed = 20;     // names in a message
 constexpr const char* kSeedColumn = "seed";
 
+std::string inputs_of(const CampaignReportOptions& options) {
+  std::string text;
+  for (const fs::path& input : options.inputs) text += (text.empty() ? "" : ", ") + input.string();
+  return text;
+}
+
+/// "a, b, c", of many the first and how many more.
+std::string listed(const std::vector<std::string>& names) {
+  if (names.empty()) return "none";
+  std::string text;
+  const std::size_t count = std::min(names.size(), kMostListed);
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + names[i];
+  if (count < names.size()) text += " and " + std::to_string(names.size() - count) + " more";
+  return text;
+}
+
 /// Figures of every controller that are values of a quantity, not times of extremes.
-std::vector<std::string> common_quantities(const std::vector<ReportedController>& controllers) {
+std::vector<std::string> common_quantities(const CampaignReportOptions& options,
+                                           const std::vector<ReportedController>& controllers) {
   std::vector<std::string> names;
   for (const std::string& figure : controllers.front().runs.figures) {
     const std::string name(without_unit(figure));
@@ -28,17 +46,22 @@ std::vector<std::string> common_quantities(const std::vector<ReportedController>
     };
     if (!name.ends_with("_time") && std::ranges::all_of(controllers, has)) names.push_back(name);
   }
-  if (names.empty())
-    throw Error(
-        "no figure is common to all controllers; figures are columns with a unit, 'x [kN]'");
-  return names;
+  if (!names.empty()) return names;
+  std::string there;
+  for (const ReportedController& c : controllers)
+    there += "; " + c.name + " has: " + listed(c.runs.figures);
+  throw Error(inputs_of(options) +
+              ": no figure is common to all controllers, expected columns with a unit, 'x [kN]'" +
+              there);
 }
 
 std::vector<std::string> shown_quantities(const CampaignReportOptions& options,
                                           const CampaignReport& report) {
   for (const std::string& name : options.quantities)
     if (std::ranges::find(report.quantities, name) == report.quantities.end())
-      throw Error("no quantity '" + name + "'" + did_you_mean(name, report.quantities));
+      throw Error(inputs_of(options) + ": no quantity '" + name + "'" +
+                  did_you_mean(name, report.quantities) +
+                  "; common to all controllers are: " + listed(report.quantities));
   if (!options.quantities.empty()) return options.quantities;
   std::vector<const RunTable*> tables;
   for (const ReportedController& c : report.controllers) tables.push_back(&c.runs);
@@ -100,13 +123,16 @@ class Reader {
   ResultRows rows_;
 };
 
-void baseline_first(std::vector<ReportedController>& controllers, const std::string& baseline) {
+void baseline_first(const CampaignReportOptions& options,
+                    std::vector<ReportedController>& controllers) {
+  const std::string& baseline = options.baseline;
   if (baseline.empty()) return;
   const auto found = std::ranges::find(controllers, baseline, &ReportedController::name);
   if (found == controllers.end()) {
     std::vector<std::string> names;
     for (const ReportedController& c : controllers) names.push_back(c.name);
-    throw Error("no controller '" + baseline + "'" + did_you_mean(baseline, names));
+    throw Error(inputs_of(options) + ": no controller '" + baseline + "'" +
+                did_you_mean(baseline, names) + "; there are: " + listed(names));
   }
   std::rotate(controllers.begin(), found, found + 1);
 }
@@ -183,8 +209,8 @@ CampaignReport campaign_report(const CampaignReportOptions& options) {
                 [](const ReportedController& c) { return c.runs.runs.empty(); });
   if (report.controllers.empty())
     throw Error(options.inputs.front().string() + ": no run in it is done");
-  baseline_first(report.controllers, options.baseline);
-  report.quantities = common_quantities(report.controllers);
+  baseline_first(options, report.controllers);
+  report.quantities = common_quantities(options, report.controllers);
   report.shown = shown_quantities(options, report);
   report.views.push_back(view_of(report.controllers, report, &report.notes));
   report.views.back().name = "all runs";

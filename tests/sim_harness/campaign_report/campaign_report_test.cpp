@@ -168,7 +168,9 @@ TEST_F(CampaignReportTest, OneAndThreeControllers) {
   EXPECT_EQ(r.views[0].comparisons[1].comparison.b, "third");
   EXPECT_EQ(r.views[0].comparisons[1].comparison.unpaired_a, 11U);
   options_.baseline = "lacc";
-  EXPECT_THAT(test::error_text([&] { report(text); }), HasSubstr("did you mean 'lac'"));
+  EXPECT_THAT(test::error_text([&] { report(text); }),
+              AllOf(HasSubstr("results.csv: no controller 'lacc' (did you mean 'lac'?)"),
+                    HasSubstr("there are: fb, lac, third")));
 }
 
 // Two tables of one controller each, with columns of their own; runs that do not pair are said.
@@ -201,10 +203,17 @@ TEST_F(CampaignReportTest, FoldersAndErrors) {
   EXPECT_THAT(test::error_text([&] { report(head + "c,failed,why,9,,\n"); }),
               HasSubstr("no run in it is done"));
   EXPECT_THAT(test::error_text([&] { report("case,mean_speed_mps\nc,9\n"); }),
-              HasSubstr("no figure is common"));
+              AllOf(HasSubstr("results.csv: no figure is common"), HasSubstr(" has: none")));
+  std::string many = head.substr(0, head.size() - 1);
+  for (int i = 0; i < 25; ++i) many += ",Q" + std::to_string(i) + "_std [kN]";
+  options_.quantities = {"zz"};
+  const std::string row = "\nc,done,,9,fb,1" + std::string(25, ',') + "\n";
+  EXPECT_THAT(test::error_text([&] { report(many + row); }), HasSubstr("Q18_std and 6 more"));
+  options_.quantities.clear();
   options_.quantities = {"A_st"};
   EXPECT_THAT(test::error_text([&] { report(head + "c,done,,9,fb,1\n"); }),
-              HasSubstr("did you mean 'A_std'"));
+              AllOf(HasSubstr("results.csv: no quantity 'A_st' (did you mean 'A_std'?)"),
+                    HasSubstr("common to all controllers are: A_std")));
 }
 
 // 252 rows of 400 columns of figures stay far below 5 MB.
