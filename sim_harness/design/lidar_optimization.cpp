@@ -57,7 +57,7 @@ LayoutMap map_of(const LayoutJudge& judge, const OptimizeSettings& s, LidarLayou
 
 /// A text about `optimize` of the design file.
 Error optimize_error(const DesignCase& design, const std::string& text) {
-  return Error(design.file.string() + ": optimize" + text);
+  return Error(design.file.string() + ": optimize: " + text);
 }
 
 /// The best point of a map that is allowed.
@@ -67,7 +67,7 @@ LidarLayout best_of(const DesignCase& design, const LayoutMap& map, LidarLayout 
     if (f.is_allowed() && f.k05_radpm > 0.0 && (!best || f.k05_radpm > best->k05_radpm)) best = &f;
   if (!best) {
     throw optimize_error(design,
-                         ": no layout with " + std::to_string(layout.beams) +
+                         "no layout with " + std::to_string(layout.beams) +
                              " beams on the grid of azimuth_deg and elevation_deg keeps the "
                              "constraints and is coherent to a half anywhere; expected wider "
                              "ranges, or gates farther away");
@@ -199,7 +199,7 @@ std::vector<OptimizedLidar> optimize_lidar(const DesignCase& design,
                                            const OptimizeSettings& settings) {
   if (free_numbers(settings).empty())
     throw optimize_error(design,
-                         ": nothing is free, expected [from, to] for one of azimuth_deg, "
+                         "nothing is free, expected [from, to] for one of azimuth_deg, "
                          "elevation_deg, first_gate_m, last_gate_m");
   check_lidar(design);
   const LayoutJudge judge(design, settings);
