@@ -159,7 +159,8 @@ CrossSpectra MannTensor::cross_spectra(double k1_radpm, const Separation& separa
       const double k3 = n.k_radpm[j];
       double weight = n.weight_radpm[i] * n.weight_radpm[j];
       if (separation.dt_s != 0.0)
-        weight *= std::exp(-std::abs(separation.dt_s) / evolution_time_s(std::hypot(k1_radpm, k2, k3)));
+        weight *=
+            std::exp(-std::abs(separation.dt_s) / evolution_time_s(std::hypot(k1_radpm, k2, k3)));
       const auto phase = std::polar(weight, k3 * separation.dz_m);
       const SpectralTensor phi = (*this)(k1_radpm, k2, k3);
       for (int c = 0; c < kTensorSize; ++c)

@@ -22,10 +22,10 @@ struct LidarComparison {
   double flown_k05_radpm = 0.0;  // NaN: does not fall through 1/2
   double model_k05_radpm = 0.0;
   double flown_delay_s = 0.0;
-  double lead_s = 0.0;      // that LDP stated, less half a window
-  double expected_s = 0.0;  // distance of the nearest gate over U, less half a scan (HM eq. 25)
+  double lead_s = 0.0;         // that LDP stated, less half a window
+  double expected_s = 0.0;     // distance of the nearest gate over U, less half a scan (HM eq. 25)
   double model_delay_s = 0.0;  // expected, less what S_RL says the estimate is late by
-  double filter_s = 0.0;    // low-pass with its cut-off at k0.5 U (HM eq. 26)
+  double filter_s = 0.0;       // low-pass with its cut-off at k0.5 U (HM eq. 26)
   bool is_enough() const { return expected_s >= filter_s; }
 };
 

@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "sim_harness/tables/number_table.hpp"
 #include "sim_harness/lidar/platform_motion.hpp"
+#include "sim_harness/tables/number_table.hpp"
 
 namespace lac::sim {
 namespace {

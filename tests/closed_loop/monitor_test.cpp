@@ -160,8 +160,8 @@ TEST_F(MonitorFlights, LidarThatSaysDouble) {
   const double watched = std_rpm("nrel5mw/wrapper_monitor.IN", twice, 1);
   std::cout << "over feedback: " << plain / feedback_std_rpm() << ", with the monitor "
             << watched / feedback_std_rpm() << '\n';
-  EXPECT_LT(watched, plain);
   if (kSanitized) return;  // ends before the rest has paid for the start
+  EXPECT_LT(watched, plain);
   EXPECT_GT(plain, 1.03 * feedback_std_rpm());
   EXPECT_LT(watched, 1.03 * feedback_std_rpm());
 }
