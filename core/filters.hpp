@@ -11,6 +11,25 @@
 
 namespace lac {
 
+/// Delay [s] of the first-order low-pass at one frequency: atan(w/w_c)/w (HM eq. 26); 1/w_c for
+/// frequency 0.
+inline double filter_delay_s(double cutoff_hz, double frequency_hz) {
+  const double wc = radps_from_hz(cutoff_hz), w = radps_from_hz(frequency_hz);
+  return w > 0.0 ? std::atan(w / wc) / w : 1.0 / wc;
+}
+
+/// Delay [s] of a second-order system: atan2(2 z w w0, w0^2 - w^2)/w; 2 z/w0 for frequency 0.
+inline double second_order_delay_s(double natural_hz, double damping, double frequency_hz) {
+  const double w0 = radps_from_hz(natural_hz), w = radps_from_hz(frequency_hz);
+  return w > 0.0 ? std::atan2(2.0 * damping * w * w0, w0 * w0 - w * w) / w : 2.0 * damping / w0;
+}
+
+/// Delay [s] of a low-pass of first order (cut-off) or second order (natural frequency, damping).
+inline double low_pass_delay_s(int order, double lowpass_hz, double damping, double frequency_hz) {
+  return order == 1 ? filter_delay_s(lowpass_hz, frequency_hz)
+                    : second_order_delay_s(lowpass_hz, damping, frequency_hz);
+}
+
 /// First-order low-pass G(s) = w_c/(s + w_c), gain 1/sqrt(2) at the cut-off.
 /// y += factor (u + u_previous - 2 y): the state is the output itself, so that a changing cut-off
 /// never makes a jump. Starts at the first input.

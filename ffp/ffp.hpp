@@ -90,6 +90,7 @@ class Ffp {
   Outputs step(const Inputs& in, State& state) const noexcept;
 
  private:
+  double damping_at(double mean_speed_mps) const noexcept;
   void schedule(const Inputs& in, State& s) const noexcept;
   FfpReason update_wind(const Inputs& in, State& s, Outputs& out) const noexcept;
   FfpReason update_buffer(const Inputs& in, State& s, Outputs& out) const noexcept;

@@ -19,6 +19,10 @@ constexpr double kGateChange_s = 0.2;
 constexpr double kSettledTimeConstants = 2.0;
 }  // namespace
 
+double Ffp::damping_at(double mean_speed_mps) const noexcept {
+  return params_.filter_order == 1 ? 0.0 : params_.damping.at(mean_speed_mps);
+}
+
 void Ffp::schedule(const Inputs& in, State& s) const noexcept {
   if (!params_.turbulence_factor.empty()) {
     const double wanted = std::isfinite(in.turbulence_intensity)
@@ -34,13 +38,11 @@ void Ffp::schedule(const Inputs& in, State& s) const noexcept {
   s.scheduled_at_mps = in.mean_speed_mps;
   s.scheduled_factor = s.turbulence_factor;
   s.cutoff_hz = params_.cutoff_hz.at(in.mean_speed_mps) * s.turbulence_factor;
-  const double damping = params_.filter_order == 1 ? 0.0 : params_.damping.at(in.mean_speed_mps);
+  const double damping = damping_at(in.mean_speed_mps);
   s.filter =
       FeedforwardLowPass::coefficients(params_.filter_order, s.cutoff_hz, damping, time_step_s_);
   const double filter_s =
-      params_.filter_order == 1
-          ? filter_delay_s(s.cutoff_hz, params_.delay_frequency_hz)
-          : second_order_delay_s(s.cutoff_hz, damping, params_.delay_frequency_hz);
+      low_pass_delay_s(params_.filter_order, s.cutoff_hz, damping, params_.delay_frequency_hz);
   s.filter_and_actuator_s =
       filter_s + actuator_delay_s(params_.actuator_frequency_hz, params_.actuator_damping,
                                   params_.delay_frequency_hz);
@@ -94,10 +96,8 @@ FfpReason Ffp::update_buffer(const Inputs& in, State& s, Outputs& out) const noe
   if (s.lead_short || s.buffer_time_s < 0.0) return FfpReason::LeadTooShort;
   if (s.buffer_time_s > params_.longest_buffer_s) return FfpReason::BufferTooLong;
   const double settling_s =
-      params_.filter_order == 1
-          ? kSettledTimeConstants / radps_from_hz(s.cutoff_hz)
-          : kSettledTimeConstants *
-                second_order_delay_s(s.cutoff_hz, params_.damping.at(s.scheduled_at_mps), 0.0);
+      kSettledTimeConstants *
+      low_pass_delay_s(params_.filter_order, s.cutoff_hz, damping_at(s.scheduled_at_mps), 0.0);
   if (!s.line.holds(s.buffer_time_s) || s.running_s < s.buffer_time_s + settling_s) {
     return FfpReason::Filling;
   }

@@ -139,12 +139,9 @@ double Monitor::measured_delay_s(State& s) const noexcept {
 /// How much later than the lead says the feedforward acts; 0 without one.
 double Monitor::off_time_s(const Inputs& in) const noexcept {
   if (!std::isfinite(in.buffer_time_s) || !(in.cutoff_hz > 0.0)) return 0.0;
-  const double w = radps_from_hz(params_.delay_frequency_hz);
-  const double wc = radps_from_hz(in.cutoff_hz);
-  const double lag_rad = params_.filter_order == 1
-                             ? std::atan(w / wc)
-                             : std::atan2(2.0 * params_.filter_damping * w * wc, wc * wc - w * w);
-  return in.buffer_time_s + lag_rad / w + params_.actuator_delay_s - in.lead_s + 0.5 * in.window_s;
+  const double filter_s = low_pass_delay_s(params_.filter_order, in.cutoff_hz,
+                                           params_.filter_damping, params_.delay_frequency_hz);
+  return in.buffer_time_s + filter_s + params_.actuator_delay_s - in.lead_s + 0.5 * in.window_s;
 }
 
 void Monitor::judge(const Inputs& in, double behind_s, Evidence& e, State& s) const noexcept {

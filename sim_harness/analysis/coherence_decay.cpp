@@ -5,36 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include "sim_harness/analysis/golden_section.hpp"
+
 namespace lac::sim {
 namespace {
 
 constexpr double kLargest = 1000.0;
 constexpr int kGridSteps = 400;  // of log(1 + alpha), to start in the right valley
-constexpr double kPrecision = 1e-10;
-
-/// Halves the bracket of a minimum by the golden section.
-template <class Function>
-double minimum_between(double low, double high, Function&& f) {
-  const double part = 1.0 / std::numbers::phi;
-  double left = high - part * (high - low), right = low + part * (high - low);
-  double at_left = f(left), at_right = f(right);
-  while (high - low > kPrecision * (1.0 + high)) {
-    if (at_left < at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - part * (high - low);
-      at_left = f(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + part * (high - low);
-      at_right = f(right);
-    }
-  }
-  return 0.5 * (low + high);
-}
+constexpr int kSections = 41;    // 1e-10 of 1 + alpha is left of two steps of the grid
 
 }  // namespace
 
@@ -61,7 +39,7 @@ DecayFit fit_decay(std::span<const double> frequency_hz, std::span<const double>
     if (misfit(on_grid(i)) < misfit(on_grid(best))) best = i;
   const double low = on_grid(best > 0 ? best - 1 : 0);
   const double high = on_grid(best < kGridSteps ? best + 1 : kGridSteps);
-  const double decay = minimum_between(low, high, misfit);
+  const double decay = golden_section(low, high, kSections, misfit);
   return {decay, std::sqrt(misfit(decay))};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "sim_harness/analysis/golden_section.hpp"
 
 namespace lac::sim {
 namespace {
@@ -37,17 +38,13 @@ double misfit(const std::vector<double>& f_hz, const std::vector<double>& gain, 
 
 /// Golden section over log f_c between the ends of the curve; empty if an end is best.
 std::optional<double> fit(const std::vector<double>& f_hz, const std::vector<double>& gain) {
-  constexpr double kGolden = 0.6180339887498949;
   const double first = std::log(f_hz.front()), last = std::log(f_hz.back());
-  double a = first, b = last;
-  const auto at = [&](double log_hz) { return misfit(f_hz, gain, std::exp(log_hz)); };
-  for (int i = 0; i < kBisections; ++i) {
-    const double left = b - kGolden * (b - a), right = a + kGolden * (b - a);
-    (at(left) < at(right) ? b : a) = at(left) < at(right) ? right : left;
-  }
+  const double best = golden_section(first, last, kBisections, [&](double log_hz) {
+    return misfit(f_hz, gain, std::exp(log_hz));
+  });
   constexpr double kEnd = 1e-3;
-  if (a - first < kEnd || last - b < kEnd) return std::nullopt;
-  return std::exp(0.5 * (a + b));
+  if (best - first < kEnd || last - best < kEnd) return std::nullopt;
+  return std::exp(best);
 }
 
 }  // namespace

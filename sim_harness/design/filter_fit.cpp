@@ -6,6 +6,7 @@
 
 #include "core/units.hpp"
 #include "ffp/low_pass.hpp"
+#include "sim_harness/analysis/golden_section.hpp"
 
 namespace lac::sim {
 namespace {
@@ -26,21 +27,6 @@ double integral(const CorrelationCurve& c, Function&& f) {
   for (std::size_t i = 1; i < c.k1_radpm.size(); ++i)
     sum += 0.5 * (f(i - 1) + f(i)) * (c.frequency_hz(i) - c.frequency_hz(i - 1));
   return sum;
-}
-
-/// Where f is least between a and b.
-template <typename Function>
-double golden_section(double a, double b, Function&& f) {
-  constexpr double kGolden = 0.6180339887498949;
-  for (int i = 0; i < kSections; ++i) {
-    const double left = b - kGolden * (b - a), right = a + kGolden * (b - a);
-    if (f(left) < f(right)) {
-      b = right;
-    } else {
-      a = left;
-    }
-  }
-  return 0.5 * (a + b);
 }
 
 /// The delay falls with the frequency: the lowest log frequency that the lead allows.
@@ -66,9 +52,7 @@ double gain_of(const LowPassDesign& filter, double frequency_hz) {
 }
 
 double delay_s(const LowPassDesign& filter, double frequency_hz) {
-  return filter.order == 1
-             ? filter_delay_s(filter.frequency_hz, frequency_hz)
-             : second_order_delay_s(filter.frequency_hz, filter.damping, frequency_hz);
+  return low_pass_delay_s(filter.order, filter.frequency_hz, filter.damping, frequency_hz);
 }
 
 double share_left_of_wiener(const CorrelationCurve& c) {
@@ -96,13 +80,13 @@ LowPassDesign fit_low_pass(int order, const CorrelationCurve& c, double delay_fr
   const auto best_of = [&](double damping) {
     LowPassDesign filter{order, 0.0, damping};
     const double lowest = lowest_log_hz(filter, first, last, delay_frequency_hz, longest_delay_s);
-    filter.frequency_hz = std::exp(golden_section(lowest, last, [&](double log_hz) {
+    filter.frequency_hz = std::exp(golden_section(lowest, last, kSections, [&](double log_hz) {
       return share_left(c, {order, std::exp(log_hz), damping}, delay_frequency_hz);
     }));
     return filter;
   };
   if (order == 1) return best_of(0.0);
-  return best_of(golden_section(kLowestDamping, kHighestDamping, [&](double damping) {
+  return best_of(golden_section(kLowestDamping, kHighestDamping, kSections, [&](double damping) {
     return share_left(c, best_of(damping), delay_frequency_hz);
   }));
 }

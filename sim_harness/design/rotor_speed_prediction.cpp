@@ -6,6 +6,7 @@
 
 #include "core/units.hpp"
 #include "ffp/ffp.hpp"
+#include "sim_harness/analysis/golden_section.hpp"
 
 namespace lac::sim {
 namespace {
@@ -15,24 +16,6 @@ constexpr int kSections = 40;
 
 double sinc(double x) {
   return std::abs(x) < 1e-9 ? 1.0 : std::sin(kPi * x) / (kPi * x);
-}
-
-/// Golden section; the function has one minimum in between.
-template <class Function>
-double minimum(Function f, double low, double high) {
-  constexpr double kGolden = 0.6180339887498949;
-  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  double at_left = f(left), at_right = f(right);
-  for (int i = 0; i < kSections; ++i) {
-    if (at_left < at_right) {
-      high = right, right = left, at_right = at_left;
-      at_left = f(left = high - kGolden * (high - low));
-    } else {
-      low = left, left = right, at_left = at_right;
-      at_right = f(right = low + kGolden * (high - low));
-    }
-  }
-  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -104,11 +87,9 @@ double RotorSpeedPrediction::deviation_radps(const std::vector<double>& density)
 }
 
 double RotorSpeedPrediction::best_trim_s(const LowPassDesign& low_pass) const {
-  return minimum(
-      [&](double e) {
-        return deviation_radps(assisted({low_pass, e}));
-      },
-      -kLargestTrim_s, kLargestTrim_s);
+  return golden_section(-kLargestTrim_s, kLargestTrim_s, kSections, [&](double e) {
+    return deviation_radps(assisted({low_pass, e}));
+  });
 }
 
 double RotorSpeedPrediction::filtered_deviation_mps(const LowPassDesign& low_pass) const {

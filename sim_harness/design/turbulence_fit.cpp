@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/units.hpp"
+#include "sim_harness/analysis/golden_section.hpp"
 #include "sim_harness/wind/parameter_check.hpp"
 
 namespace lac::sim {
@@ -14,22 +15,10 @@ constexpr auto kWhere = "fit of a Kaimal model";
 constexpr int kSteps = 60;
 constexpr int kNodes = 201;  // of the tensor: coherence to 1e-3 at 30 m
 
-/// Where a function of log x is least, for x between two bounds: golden section.
+/// Where a function of log x is least, for x between two bounds.
 double least(double low, double high, const std::function<double(double)>& misfit) {
-  constexpr double kGolden = 0.6180339887498949;
-  double a = std::log(low), b = std::log(high);
-  double left = b - kGolden * (b - a), right = a + kGolden * (b - a);
-  double at_left = misfit(std::exp(left)), at_right = misfit(std::exp(right));
-  for (int i = 0; i < kSteps; ++i) {
-    if (at_left < at_right) {
-      b = right, right = left, at_right = at_left;
-      at_left = misfit(std::exp(left = b - kGolden * (b - a)));
-    } else {
-      a = left, left = right, at_left = at_right;
-      at_right = misfit(std::exp(right = a + kGolden * (b - a)));
-    }
-  }
-  return std::exp(0.5 * (a + b));
+  return std::exp(golden_section(std::log(low), std::log(high), kSteps,
+                                 [&](double log_x) { return misfit(std::exp(log_x)); }));
 }
 
 /// A curve over k1 and how much its points count.
