@@ -155,9 +155,7 @@ Ldp::Outputs Ldp::step(const Inputs& in, State& state) const noexcept {
   if (!reconstruction_.active()) return out;
   reconstruction_.watch(in.time_s, params_.scan_time_s, state.wind);
   out.wind = state.wind.estimate;
-  const bool refused =
-      out.wind.reason == WindReason::Partly || out.wind.reason == WindReason::Refused;
-  if (refused && !params_.wind.average_if_refused) out.valid = out.bridged = false;
+  if (out.wind.is_refused() && !params_.wind.average_if_refused) out.valid = out.bridged = false;
   return out;
 }
 

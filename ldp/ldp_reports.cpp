@@ -40,9 +40,7 @@ void LdpReports::report_scan(const Ldp::Outputs& out, Notice& notice) noexcept {
 }
 
 void LdpReports::report_refusal(const Ldp::Outputs& out, Notice& notice) noexcept {
-  const bool refused =
-      out.wind.reason == WindReason::Partly || out.wind.reason == WindReason::Refused;
-  if (!refused || refusal_reported_) return;
+  if (!out.wind.is_refused() || refusal_reported_) return;
   refusal_reported_ = true;
   notice.warn("the beams cannot tell %s of WindModel (condition %.3g): %s",
               out.wind.reason == WindReason::Partly ? "some quantities" : "any quantity",

@@ -76,6 +76,10 @@ class WindReconstruction {
     double yaw_error_rad = std::numeric_limits<double>::quiet_NaN();
     double inflow_angle_rad = std::numeric_limits<double>::quiet_NaN();  // upwards positive
     double condition = std::numeric_limits<double>::quiet_NaN();         // infinite: singular
+    /// The geometry cannot tell what the model asks for, or a part of it.
+    bool is_refused() const {
+      return reason == WindReason::Partly || reason == WindReason::Refused;
+    }
     void visit(StateArchive& a) {
       a(reason), a(u_mps), a(v_mps), a(w_mps), a(du_dy_per_s), a(du_dz_per_s);
       a(yaw_error_rad), a(inflow_angle_rad), a(condition);
