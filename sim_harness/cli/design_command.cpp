@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_harness/cli/design_command.hpp"
 
-#include <fstream>
 #include <ostream>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "core/part_file.hpp"
+#include "sim_harness/config/input_text.hpp"
 #include "sim_harness/design/design_page.hpp"
 #include "sim_harness/design/flown_lidar_report.hpp"
 #include "sim_harness/design/quadrature_check.hpp"
@@ -15,24 +14,8 @@ namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr auto kTemplate = "the template of the design";
 constexpr double kLargestError = 5e-3;  // of the gain, by the quadrature
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw Error(path.string() + ": cannot be read");
-  return text.str();
-}
-
-/// The template may hold what somebody tuned by hand.
-void require_other_file(const fs::path& path, const fs::path& of_template) {
-  std::error_code ignored;
-  if (!fs::equivalent(path, of_template, ignored)) return;
-  throw Error(path.string() +
-              ": is the template of the design and is not written over; give "
-              "another folder (--output)");
-}
 
 void write(const fs::path& path, const std::string& text, std::ostream& out) {
   PartFile file(path);
@@ -58,8 +41,8 @@ std::string ffp_input(const DesignResult& r) {
 
 void write_inputs(const fs::path& folder, const DesignResult& r, std::ostream& out) {
   const DesignCase& d = r.design;
-  require_other_file(folder / "ffp.IN", d.ffp_template);
-  if (d.feedback) require_other_file(folder / "feedback.IN", d.feedback->file);
+  require_other_file(folder / "ffp.IN", d.ffp_template, kTemplate);
+  if (d.feedback) require_other_file(folder / "feedback.IN", d.feedback->file, kTemplate);
   write(folder / "ffp.IN", ffp_input(r), out);
   if (!d.feedback) return;
   write(folder / "feedback.IN",

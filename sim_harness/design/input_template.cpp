@@ -5,7 +5,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "sim_harness/config/input_line.hpp"
+#include "sim_harness/config/input_text.hpp"
 #include "sim_harness/output/text_table.hpp"
 
 namespace lac::sim {

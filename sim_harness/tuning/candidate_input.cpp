@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
-#include "sim_harness/config/input_line.hpp"
+#include "sim_harness/config/input_text.hpp"
 #include "wrapper/chain_config.hpp"
 
 namespace lac::sim {

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/part_file.hpp"
+#include "sim_harness/config/input_text.hpp"
 #include "sim_harness/config/temporary_folder.hpp"
 #include "sim_harness/output/progress.hpp"
 #include "sim_harness/run/interruption.hpp"
@@ -121,14 +122,6 @@ void write(const fs::path& path, const std::string& text, std::ostream& out) {
   out << "wrote " << path.string() << '\n';
 }
 
-/// The template may hold what somebody tuned by hand.
-void require_other_file(const fs::path& path, const fs::path& input_file) {
-  std::error_code ignored;
-  if (fs::equivalent(path, input_file, ignored))
-    throw Error(path.string() + ": is what is tuned and is not written over; give another folder " +
-                "(--output)");
-}
-
 /// Whoever finds an input file there afterwards takes it for the result.
 void remove_result_of_before(const fs::path& path, std::ostream& out) {
   std::error_code failed;
@@ -163,7 +156,7 @@ bool run_tuning(const TuningOptions& o, std::ostream& out) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   TuningFlights flights(tuning, work.path(), o.jobs > 0 ? o.jobs : cores, interruption);
   const fs::path written = folder / flights.input_file().filename();
-  require_other_file(written, flights.input_file());
+  require_other_file(written, flights.input_file(), "what is tuned");
   make_folder(folder);
   remove_result_of_before(written, out);
 

@@ -2,17 +2,16 @@
 #include "sim_harness/tuning/tuning_flights.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "core/error.hpp"
 #include "sim_harness/analysis/channel_figures.hpp"
 #include "sim_harness/comparison/life_table.hpp"
+#include "sim_harness/config/input_text.hpp"
 #include "sim_harness/run/flight.hpp"
 #include "sim_harness/tuning/candidate_input.hpp"
 #include "sim_harness/wind/parallel_jobs.hpp"
@@ -20,14 +19,6 @@
 namespace lac::sim {
 namespace fs = std::filesystem;
 namespace {
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw Error(file.string() + ": cannot be read");
-  return text.str();
-}
 
 const CaseController& controller_of(const Case& c, const std::string& name) {
   return *std::ranges::find(c.controllers, name, &CaseController::name);
@@ -71,7 +62,7 @@ TuningFlights::TuningFlights(const Tuning& tuning, fs::path work, int threads,
                   "in some of the cases, expected one controller to tune");
   }
   input_file_ = input_of_secondary(controller_.input_file, tuning.secondary);
-  template_text_ = text_of(input_file_);
+  template_text_ = text_of_file(input_file_);
 }
 
 void TuningFlights::check() const {
