@@ -4,10 +4,10 @@
 #include <string>
 #include <variant>
 
+#include "core/mann_tensor.hpp"
 #include "sim_harness/config/yaml_reader.hpp"
 #include "sim_harness/design/kaimal_correlation.hpp"
 #include "sim_harness/wind/iec_wind.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/mann_tensor.hpp"
 #include "sim_harness/design/correlation_model.hpp"
 #include "sim_harness/design/lidar_volumes.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
 

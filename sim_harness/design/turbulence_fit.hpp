@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/mann_tensor.hpp"
 #include "sim_harness/design/kaimal_correlation.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
 

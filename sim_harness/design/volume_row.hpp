@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/mann_tensor.hpp"
 #include "sim_harness/design/lidar_volumes.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
 

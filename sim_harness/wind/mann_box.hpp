@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim_harness/wind/mann_tensor.hpp"
+#include "core/mann_tensor.hpp"
 
 namespace lac::sim {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "sim_harness/wind/mann_tensor.hpp"
+#include "core/mann_tensor.hpp"
 
 namespace lac::sim {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/kaimal.hpp"
+#include "core/mann_tensor.hpp"
 #include "sim_harness/wind/kaimal_evolution.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 
 namespace lac::sim {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim_harness/wind/mann_tensor.hpp"
+#include "core/mann_tensor.hpp"
 #include "sim_harness/wind_check/turbulence_theory.hpp"
 
 namespace lac::sim {

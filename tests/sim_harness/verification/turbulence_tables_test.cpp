@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "core/mann_tensor.hpp"
 #include "core/units.hpp"
-#include "sim_harness/wind/mann_tensor.hpp"
 #include "sim_harness/wind/stability.hpp"
 #include "tests/sim_harness/verification/frequency_table.hpp"
 

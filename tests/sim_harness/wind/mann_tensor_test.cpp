@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of independent origin: hypergeometric function with mpmath (30 digits), closed forms of
 // the isotropic case, the tables of GUO.
-#include "sim_harness/wind/mann_tensor.hpp"
+#include "core/mann_tensor.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
