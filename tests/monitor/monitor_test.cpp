@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "monitor/random_wind.hpp"
@@ -60,14 +61,22 @@ struct Box {
     }
     return in;
   }
-  Monitor::Outputs fly(double duration_s) {
+  /// With what is done to the inputs and looked at in the outputs on the way.
+  Monitor::Outputs fly(
+      double duration_s,
+      const std::function<void(double, Monitor::Inputs&)>& spoil = [](double, auto&) {},
+      const std::function<void(double, const Monitor::Outputs&)>& watch = [](double, auto&) {}) {
     const Monitor monitor(params, kStep_s);
     Monitor::State state = monitor.initial_state();
     Monitor::Outputs out;
     const int steps = static_cast<int>(duration_s / kStep_s);
     for (int n = 0; n < steps; ++n) {
+      const double t = n * kStep_s;
       trim_s += (out.trim_s - trim_s) * kStep_s / 10.0;  // as ffp follows it
-      out = monitor.step(inputs(n * kStep_s), state);
+      Monitor::Inputs in = inputs(t);
+      spoil(t, in);
+      out = monitor.step(in, state);
+      watch(t, out);
     }
     return out;
   }
@@ -220,23 +229,19 @@ TEST(MonitorTest, LearnsFirstThenMovesSlowly) {
 // Lost data: authority goes while they are away and comes back, and no product spans the gap.
 TEST(MonitorTest, LidarGoesAndComesBack) {
   Box box;
-  const Monitor monitor(box.params, kStep_s);
-  Monitor::State state = monitor.initial_state();
-  Monitor::Outputs out;
-  for (int n = 0; n < 12000; ++n) {
-    const double t = n * kStep_s;
-    Monitor::Inputs in = box.inputs(t);
-    if (t > 300.0 && t < 320.0) {
-      in.lidar_valid = false;
-      in.lidar_mps = std::nan("");
-      in.buffered_mps = std::nan("");
-    }
-    out = monitor.step(in, state);
-    if (std::abs(t - 319.0) < 1e-9) {
-      EXPECT_EQ(out.authority, 0.0);
-      EXPECT_EQ(out.reason, MonitorReason::NoLidar);
-    }
-  }
+  const Monitor::Outputs out = box.fly(
+      12000 * kStep_s,
+      [](double t, Monitor::Inputs& in) {
+        if (t <= 300.0 || t >= 320.0) return;
+        in.lidar_valid = false;
+        in.lidar_mps = std::nan("");
+        in.buffered_mps = std::nan("");
+      },
+      [](double t, const Monitor::Outputs& then) {
+        if (std::abs(t - 319.0) >= 1e-9) return;
+        EXPECT_EQ(then.authority, 0.0);
+        EXPECT_EQ(then.reason, MonitorReason::NoLidar);
+      });
   EXPECT_EQ(out.authority, 1.0);
   EXPECT_GT(out.coherence, 0.95);
   EXPECT_NEAR(out.gain, 1.0, 0.05);
@@ -246,19 +251,17 @@ TEST(MonitorTest, LidarGoesAndComesBack) {
 TEST(MonitorTest, WrongTimeOutlastsAGap) {
   Box box;
   box.acts_late_s = 4.5;
-  const Monitor monitor(box.params, kStep_s);
-  Monitor::State state = monitor.initial_state();
   double largest_after = 0.0;
-  for (int n = 0; n * kStep_s < 440.0; ++n) {
-    const double t = n * kStep_s;
-    Monitor::Inputs in = box.inputs(t);
-    if (t >= 400.0 && t < 401.0) {
-      in.lidar_valid = false;
-      in.lidar_mps = in.buffered_mps = std::nan("");
-    }
-    const Monitor::Outputs out = monitor.step(in, state);
-    if (t > 399.0) largest_after = std::max(largest_after, out.authority);
-  }
+  box.fly(
+      440.0,
+      [](double t, Monitor::Inputs& in) {
+        if (t < 400.0 || t >= 401.0) return;
+        in.lidar_valid = false;
+        in.lidar_mps = in.buffered_mps = std::nan("");
+      },
+      [&](double t, const Monitor::Outputs& out) {
+        if (t > 399.0) largest_after = std::max(largest_after, out.authority);
+      });
   EXPECT_LT(largest_after, 0.05);
 }
 
