@@ -2,8 +2,8 @@
 # Puts style and scripts into a page and the page into a C++ source, so that the program carries it
 # and the parts stay editable.
 #   lac_embed_page(<file.cpp> <symbol> PAGE <page.html> STYLES <css>... SCRIPTS <js>...)
-# makes that file: const char <symbol>[] in lac::sim. Paths count from the calling folder; the style
-# of all pages and page_plot.js, page_tables.js come first by themselves.
+# makes that file: const char <symbol>[] in lac::sim. Paths count from the calling folder; the head
+# and style of all pages and page_plot.js, page_tables.js come by themselves.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(lac_page_folder ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
   function(lac_embed_page output symbol)
@@ -14,10 +14,11 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     list(PREPEND arg_STYLES ${lac_page_folder}/page_style.css)
     list(PREPEND arg_SCRIPTS ${lac_page_folder}/page_plot.js ${lac_page_folder}/page_tables.js)
     set(embed ${lac_page_folder}/embed_page.cmake)
+    set(head ${lac_page_folder}/page_head.html)
     list(JOIN arg_STYLES "|" styles)
     list(JOIN arg_SCRIPTS "|" scripts)
-    add_custom_command(OUTPUT ${output} DEPENDS ${embed} ${page} ${arg_STYLES} ${arg_SCRIPTS}
-      COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DSYMBOL=${symbol} -DPAGE=${page}
+    add_custom_command(OUTPUT ${output} DEPENDS ${embed} ${head} ${page} ${arg_STYLES} ${arg_SCRIPTS}
+      COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DSYMBOL=${symbol} -DHEAD=${head} -DPAGE=${page}
               -DSTYLES=${styles} -DSCRIPTS=${scripts} -P ${embed}
       COMMENT "Embedding ${arg_PAGE}" VERBATIM)
   endfunction()
@@ -34,8 +35,10 @@ function(read_all paths result)
 endfunction()
 
 file(READ ${PAGE} page)
+file(READ ${HEAD} head)
 read_all("${STYLES}" style)
 read_all("${SCRIPTS}" script)
+string(REPLACE "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<!--lac:head-->\n" "${head}" page "${page}")
 string(REPLACE "<!--lac:style-->" "${style}" page "${page}")
 string(REPLACE "<!--lac:script-->" "\"use strict\";\n${script}" page "${page}")
 file(WRITE ${OUTPUT} "// SPDX-License-Identifier: Apache-2.0
