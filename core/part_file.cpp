@@ -55,4 +55,10 @@ void PartFile::commit() {
   file_.close();
 }
 
+void write_whole_file(const std::filesystem::path& target, std::string_view bytes) {
+  PartFile file(target);
+  file.write(bytes.data(), bytes.size());
+  file.commit();
+}
+
 }  // namespace lac

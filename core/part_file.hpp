@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 #include "core/locked_file.hpp"
 
@@ -38,5 +39,8 @@ class PartFile {
   LockedFile file_;
   int first_error_ = 0;  // code of the system
 };
+
+/// A whole file in one step. Throws lac::Error with file and reason.
+void write_whole_file(const std::filesystem::path& target, std::string_view bytes);
 
 }  // namespace lac

@@ -87,10 +87,7 @@ void require_own_folder(const Study& study) {
 }
 
 void write_study_name(const Study& study) {
-  PartFile file(study.folder / kStudyFile);
-  const std::string line = study.file.filename().string() + '\n';
-  file.write(line.data(), line.size());
-  file.commit();
+  write_whole_file(study.folder / kStudyFile, study.file.filename().string() + '\n');
 }
 
 void write_commands(const CampaignPlan& plan) {

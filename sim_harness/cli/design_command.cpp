@@ -18,9 +18,7 @@ constexpr auto kTemplate = "the template of the design";
 constexpr double kLargestError = 5e-3;  // of the gain, by the quadrature
 
 void write(const fs::path& path, const std::string& text, std::ostream& out) {
-  PartFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  write_whole_file(path, text);
   out << "wrote " << path.string() << '\n';
 }
 

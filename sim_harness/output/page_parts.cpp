@@ -89,9 +89,7 @@ std::string filled_page(std::string_view page,
 }
 
 void write_page(const std::filesystem::path& path, std::string_view html) {
-  PartFile file(path);
-  file.write(html.data(), html.size());
-  file.commit();
+  write_whole_file(path, html);
 }
 
 }  // namespace lac::sim

@@ -116,9 +116,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void write(const fs::path& path, const std::string& text, std::ostream& out) {
-  PartFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  write_whole_file(path, text);
   out << "wrote " << path.string() << '\n';
 }
 
